@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// group: float32 coordinates to fixed point, float32 derivatives to four mantissas under one exponent.
+//
+// Takes  s, t and the derivatives ds/dx, dt/dx, ds/dy, dt/dy, float32, normalized (1 = the texture's size).
+// Gives  s, t S20.24 textures; dudx, dvdx, dudy, dvdy S7.0 in texels of level 0 * 2^exponent; exponent S6.0.
+// Rounds s, t: nearest, ties away from zero. Mantissas: outward (away from zero), so that a footprint is never taken
+//        for smaller than it is and a growing one never shrinks; the largest magnitude is 64 .. 127.
+// Edges  Denormals are 0. |s| or |t| >= 2^19: the clamps saturate at 2^19, the repeats keep the value modulo 2^21.
+//        NaN coordinates are 0; infinite ones are +-2^19 (clamps) or 0 (repeats). A NaN or infinite derivative gives
+//        the unbounded footprint (127, 0), (0, 127), exponent 63. exponent > 63 saturates; exponent < -64 gives zeros
+//        at -64. -128 never occurs: negating a gradient negates its mantissas.
+// Source McCormack et al., WRL 99/1, 3.2 (group scaling); CS248A lecture 4, steps 2 and 4.
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "tables/rounding.h"
+#include "tables/sampler_state.h"
+
+namespace feline {
+
+struct FloatParts {
+  bool negative;
+  int exponent;           // biased
+  std::int64_t fraction;  // 23 bits
+  bool finite() const { return exponent != 255; }
+  bool normal() const { return exponent != 0 && finite(); }
+  std::int64_t significand() const { return (std::int64_t{1} << 23) | fraction; }
+};
+
+constexpr FloatParts float_parts(std::int64_t bits) {
+  return {(bits >> 31) != 0, static_cast<int>((bits >> 23) & 255), bits & 0x7fffff};
+}
+
+template <Config kConfig>
+Fixed<Formats<kConfig>::kPosition> to_position(std::int64_t bits, Wrap wrap) {
+  using F = Formats<kConfig>;
+  using Position = Fixed<F::kPosition>;
+  const FloatParts parts = float_parts(bits);
+  const bool clamps = wrap == Wrap::kClampToEdge || wrap == Wrap::kClampToBorder;
+  const bool is_nan = !parts.finite() && parts.fraction != 0;
+  if (parts.exponent == 0 || is_nan) return Position{};
+  constexpr std::int64_t kLimit = std::int64_t{1} << (F::kSaturationLog2 + F::kPositionFraction);
+  if (clamps && parts.exponent >= 127 + F::kSaturationLog2)
+    return Position::from_raw(parts.negative ? -kLimit : kLimit);
+  if (!parts.finite()) return Position{};
+  // The significand's unit is 2^(exponent - 150).
+  const int left = parts.exponent - 150 + F::kPositionFraction;
+  constexpr int kWidth = F::kPosition.width();
+  std::int64_t magnitude = 0;
+  if (left < 0) {
+    magnitude = round_away_ties(parts.significand(), -left);
+  } else if (left < kWidth) {
+    magnitude = static_cast<std::int64_t>(static_cast<std::uint64_t>(parts.significand()) << left);
+  }
+  // Modulo 2^kWidth, as a two's complement number: the repeats need no more.
+  const auto wrapped = static_cast<std::uint64_t>(parts.negative ? -magnitude : magnitude) << (64 - kWidth);
+  return Position::from_raw(static_cast<std::int64_t>(wrapped) >> (64 - kWidth));
+}
+
+template <Config kConfig>
+GroupBeat<kConfig> group(const RequestBeat<kConfig>& request, const SamplerState<kConfig>& sampler) {
+  using F = Formats<kConfig>;
+  using Mantissa = Fixed<F::kMantissa>;
+  GroupBeat<kConfig> beat;
+  beat.tag = request.tag;
+  beat.s = to_position<kConfig>(request.s.raw(), static_cast<Wrap>(sampler.wrap_s.raw()));
+  beat.t = to_position<kConfig>(request.t.raw(), static_cast<Wrap>(sampler.wrap_t.raw()));
+
+  const std::array<FloatParts, 4> parts{float_parts(request.dsdx.raw()), float_parts(request.dtdx.raw()),
+                                        float_parts(request.dsdy.raw()), float_parts(request.dtdy.raw())};
+  const bool finite = std::ranges::all_of(parts, [](const FloatParts& p) { return p.finite(); });
+  const bool coordinates_finite = float_parts(request.s.raw()).finite() && float_parts(request.t.raw()).finite();
+  beat.status =
+      beat.status.from_raw((coordinates_finite ? 0 : kCoordinateNotFinite) | (finite ? 0 : kDerivativeNotFinite));
+
+  constexpr std::int64_t kMax = F::kMantissa.max_raw();
+  if (!finite) {
+    beat.exponent = beat.exponent.from_raw(F::kExponent.max_raw());
+    beat.dudx = beat.dvdy = Mantissa::from_raw(kMax);
+    return beat;
+  }
+
+  // Texels of level 0: product * 2^(exponent - 150), the product below 2^(24 + 15).
+  std::array<std::int64_t, 4> product{};
+  int top = -1000;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::int64_t size = (i % 2 == 0 ? sampler.width : sampler.height).raw();
+    if (!parts[i].normal()) continue;
+    product[i] = parts[i].significand() * size;
+    top = std::max(top, parts[i].exponent - 150 + bit_length(product[i]) - 1);
+  }
+  int exponent = top - (F::kMagnitudeBits - 1);
+  std::array<std::int64_t, 4> magnitude{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (product[i] != 0) magnitude[i] = round_outward(product[i], exponent - (parts[i].exponent - 150));
+  }
+  if (std::ranges::any_of(magnitude, [](std::int64_t m) { return m > kMax; })) {
+    for (auto& m : magnitude) m = round_outward(m, 1);
+    ++exponent;
+  }
+  if (exponent < F::kExponent.min_raw()) {
+    beat.exponent = beat.exponent.from_raw(F::kExponent.min_raw());
+    return beat;
+  }
+  beat.exponent = beat.exponent.saturate(exponent);
+  const auto mantissa = [&](std::size_t i) {
+    return Mantissa::from_raw(parts[i].negative ? -magnitude[i] : magnitude[i]);
+  };
+  beat.dudx = mantissa(0);
+  beat.dvdx = mantissa(1);
+  beat.dudy = mantissa(2);
+  beat.dvdy = mantissa(3);
+  return beat;
+}
+
+}  // namespace feline

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "model/texture.h"
+
+namespace feline {
+
+// A texture as the unit's memory holds it: lines of 64 bytes, each a 4 x 4 tile of texels, row by row, 1, 2 or 4 bytes
+// a texel from byte 0 on; levels follow each other. Texels of a tile beyond the level's edge are 0 and never read.
+inline constexpr int kLineBytes = 64;
+
+struct TextureMemory {
+  std::vector<std::uint8_t> bytes;
+  std::vector<std::int64_t> level_base;  // first line of each level
+
+  std::size_t lines() const { return bytes.size() / kLineBytes; }
+  std::span<const std::uint8_t> line(std::int64_t index) const {
+    return std::span(bytes).subspan(static_cast<std::size_t>(index) * kLineBytes, kLineBytes);
+  }
+};
+
+TextureMemory layout_texture(const Texture& texture);
+
+}  // namespace feline

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tables/formats.h"
+
+namespace feline {
+
+// One read-only memory of the machine and what its generator found out about it. The largest error is taken over the
+// whole domain against the real function, in the unit named; it is exact to the digits of a double.
+struct Rom {
+  std::string name;      // log2; the RTL module is feline_rom_log2
+  std::string contents;  // what word i holds, with formats and source
+  int data_bits = 0;
+  std::vector<std::uint64_t> words;
+  std::string error_unit;
+  double worst_error = 0;
+  std::size_t worst_word = 0;
+};
+
+// The four values of an ellipse table word, raw (Feline 3.3): the factors of the longer vector and of the longer vector
+// turned by 90 degrees, and the radii in units of the longer vector.
+struct EllipseEntry {
+  std::int64_t uv_scale = 0;      // U1.7
+  std::int64_t uv_scale_90 = 0;   // U0.8
+  std::int64_t minor_radius = 0;  // U0.8
+  std::int64_t major_radius = 0;  // U1.7
+};
+
+// How an entry stands for its cell.
+enum class CellRepresentation : std::uint8_t { kCentre, kLeastWorst, kLeastMean };
+
+// Errors of one representation over all cells: level of detail in octaves with at most 16 probes, relative major
+// radius, and the end of the probe line in minor radii.
+struct EllipseErrors {
+  double worst_level = 0, mean_level = 0;
+  double worst_major = 0, mean_major = 0;
+  double worst_line = 0, mean_line = 0;
+};
+
+struct Roms {
+  Rom ellipse;
+  Rom weight;
+  Rom gaussian;
+  Rom log2;
+  Rom reciprocal;
+  Rom srgb;
+
+  std::vector<const Rom*> all() const { return {&ellipse, &weight, &gaussian, &log2, &reciprocal, &srgb}; }
+};
+
+// Words that a configuration needs, without their errors: quick.
+Rom ellipse_rom(const Config& config, CellRepresentation representation = CellRepresentation::kLeastMean);
+Rom weight_rom(const Config& config);
+Rom gaussian_rom(const Config& config);
+Rom log2_rom(const Config& config);
+Rom reciprocal_rom(const Config& config);
+Rom srgb_rom(const Config& config);
+// All of them, built when first asked for; the ellipse table without its errors, which take a while.
+template <Config kConfig>
+const Roms& roms() {
+  static const Roms built{ellipse_rom(kConfig), weight_rom(kConfig),     gaussian_rom(kConfig),
+                          log2_rom(kConfig),    reciprocal_rom(kConfig), srgb_rom(kConfig)};
+  return built;
+}
+
+EllipseEntry ellipse_entry(const Config& config, std::uint64_t word);
+// Measures a table against the real ellipse on a lattice of (lattice + 1)^2 points a cell, its edges included, and
+// fills the table's own worst error: the largest of its four values' errors, in units of the longer vector.
+EllipseErrors judge_ellipse(const Config& config, Rom& rom, int lattice);
+
+}  // namespace feline
