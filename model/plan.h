@@ -117,7 +117,7 @@ Fixed<Formats<kConfig>::kLevelOfDetail> level_of_radius(std::int64_t radius, std
   return LevelOfDetail::saturate(((exponent + top - F::kRadius.fraction_bits) << kFraction) + fraction);
 }
 
-// How far along the major vector half a step goes: a factor U0.16 of it.
+// How far along the major vector half a step goes: a factor U1.16 of it.
 template <Config kConfig>
 std::int64_t half_step_factor(const FootprintBeat<kConfig>& footprint, Mode mode, const ClampedRadii& radii,
                               std::int64_t fitted, std::int64_t probes) {
@@ -139,7 +139,10 @@ Fixed<Formats<kConfig>::kHalfStep> to_half_step(std::int64_t vector, std::int64_
   constexpr int kProductFraction =
       F::kVector.fraction_bits + F::kReciprocal.fraction_bits + F::kSizeReciprocal.fraction_bits;
   const std::int64_t right = kProductFraction - F::kPositionFraction + size_shift - exponent;
-  return Fixed<F::kHalfStep>::from_raw(round_away_ties(vector * factor * size_reciprocal, static_cast<int>(right)));
+  const std::int64_t product = vector * factor * size_reciprocal;
+  // A length_factor below 1/8 on a texture one texel wide can ask for more bits instead of fewer.
+  if (right < 0) return Fixed<F::kHalfStep>::from_raw(product * (std::int64_t{1} << -right));
+  return Fixed<F::kHalfStep>::from_raw(round_away_ties(product, static_cast<int>(right)));
 }
 
 template <Config kConfig>

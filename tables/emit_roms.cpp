@@ -68,7 +68,7 @@ std::string emit_c_header(const Config& config, const Roms& roms) {
   out += fmt::format("enum {{ FELINE_TABLE_ROWS = {}, FELINE_TABLE_COLUMNS = {}, FELINE_WEIGHT_COLUMNS = {} }};\n",
                      config.table_rows, config.table_columns, config.max_probes / 2 + 1);
   for (const Rom* rom : roms.all()) {
-    out += "\n" + comment(rom->contents) + comment(error_line(*rom));
+    out += fmt::format("\n{}{}", comment(rom->contents), comment(error_line(*rom)));
     out += fmt::format("static const uint32_t FELINE_ROM_{}[{}] = {{", shouting(rom->name), rom->words.size());
     for (std::size_t i = 0; i < rom->words.size(); ++i)
       out += fmt::format("{}0x{:x},", i % 12 == 0 ? "\n  " : " ", rom->words[i]);

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// The number of probes (choose_probes of model/plan.h).
+//
+// Takes  major, minor U8.7 and magnified (feline_clamp_radii); dividend (feline_probe_dividend); the mode, a supported
+//        one; probe_rounding; max_probes.
+// Gives  probes 1 .. max_probes; limited: more were wanted; eighths: floor(8 major / minor), which picks the weight
+//        row, saturated where that no longer matters.
+// Rounds ext: major/minor up. Feline: 2 major/minor - 1 to nearest, ties up; or 2 f major/minor - 1 up.
+// Edges  magnified: one probe. minor 0: max_probes, limited.
+// Source WRL 99/1, 3.1, 3.4; EXT_texture_filter_anisotropic.
+`default_nettype none
+
+module feline_choose_probes #(
+  parameter int unsigned DividendWidth =
+      feline_pkg::RadiusWidth + feline_pkg::FactorWidth + 1 - feline_pkg::FactorFraction,
+  parameter int unsigned EighthsWidth = $clog2(4 * feline_pkg::MaxProbes + 8)
+) (
+  input  wire logic                                   magnified_i,
+  input  wire logic [feline_pkg::RadiusWidth-1:0]     major_i,
+  input  wire logic [feline_pkg::RadiusWidth-1:0]     minor_i,
+  input  wire logic [DividendWidth-1:0]               dividend_i,
+  input  wire logic [feline_pkg::ModeWidth-1:0]       mode_i,
+  input  wire logic                                   probe_rounding_i,
+  input  wire logic [feline_pkg::ProbeCountWidth-1:0] max_probes_i,
+  output logic [feline_pkg::ProbeCountWidth-1:0]      probes_o,
+  output logic                                        limited_o,
+  output logic [EighthsWidth-1:0]                     eighths_o
+);
+  localparam int unsigned RadiusWidth     = feline_pkg::RadiusWidth;
+  localparam int unsigned ProbeCountWidth = feline_pkg::ProbeCountWidth;
+  localparam bit          AnyFeline       = feline_pkg::FeatureSimpleFeline || feline_pkg::FeatureTableFeline;
+  // Counts up to max_probes + 1: the quotients saturate at one too many or above.
+  localparam int unsigned WantedWidth = $clog2(feline_pkg::MaxProbes + 2);
+
+  logic                   is_ext;
+  logic [WantedWidth-1:0] ceiling;
+  logic [WantedWidth-1:0] wanted;
+
+  assign is_ext = feline_pkg::FeatureExt && mode_i == feline_pkg::ModeExt;
+
+  if (feline_pkg::FeatureExt || AnyFeline) begin : gen_ceiling
+    feline_quotient #(
+      .NumeratorWidth  (DividendWidth),
+      .DenominatorWidth(RadiusWidth),
+      .QuotientWidth   (WantedWidth)
+    ) u_ceiling (
+      .numerator_i  (dividend_i),
+      .denominator_i(minor_i),
+      .quotient_o   (ceiling)
+    );
+  end else begin : gen_one_probe
+    assign ceiling = WantedWidth'(1);
+
+    logic unused_inputs;
+    assign unused_inputs = ^{dividend_i, minor_i};
+  end
+
+  if (AnyFeline) begin : gen_nearest
+    logic [WantedWidth-1:0] nearest;
+
+    feline_quotient #(
+      .NumeratorWidth  (RadiusWidth + 3),
+      .DenominatorWidth(RadiusWidth),
+      .QuotientWidth   (EighthsWidth)
+    ) u_eighths (
+      .numerator_i  ({major_i, 3'b000}),
+      .denominator_i(minor_i),
+      .quotient_o   (eighths_o)
+    );
+
+    // floor(fProbes + 1/2) with fProbes = 2 major/minor - 1; major >= minor.
+    assign nearest = WantedWidth'((eighths_o - EighthsWidth'(2)) >> 2);
+
+    always_comb begin
+      wanted = ceiling;
+      if (!is_ext && probe_rounding_i == feline_pkg::ProbeRoundingNearest) wanted = nearest;
+    end
+  end else begin : gen_ceiling_only
+    assign eighths_o = '0;
+    assign wanted    = ceiling;
+
+    logic unused_inputs;
+    assign unused_inputs = ^{major_i, is_ext, probe_rounding_i};
+  end
+
+  assign limited_o = !magnified_i && 32'(wanted) > 32'(max_probes_i);
+
+  always_comb begin
+    if (limited_o) begin
+      probes_o = max_probes_i;
+    end else if (magnified_i || wanted == '0) begin
+      probes_o = ProbeCountWidth'(1);
+    end else begin
+      probes_o = ProbeCountWidth'(wanted);
+    end
+  end
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "testbench/atomic_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "testbench/error.h"
+
+namespace feline {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& named, std::string_view field, int error) {
+  bad_input(named.string(), field, std::generic_category().message(error), "a writable file on a disk with room");
+}
+
+// Closes on every path; close() reports the errors that a destructor would lose.
+class Descriptor {
+ public:
+  Descriptor(const fs::path& path, int flags, const fs::path& named)
+      : named_(named), fd_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {
+    if (fd_ < 0) fail(named_, "open", errno);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (fd_ >= 0) ::close(fd_);
+  }
+
+  void write(std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+      const ssize_t written = ::write(fd_, bytes.data(), bytes.size());
+      if (written < 0 && errno == EINTR) continue;
+      if (written < 0) fail(named_, "write", errno);
+      bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
+  }
+
+  void flush() {
+    if (::fsync(fd_) != 0) fail(named_, "flush", errno);
+  }
+
+  void close() {
+    if (::close(std::exchange(fd_, -1)) != 0) fail(named_, "close", errno);
+  }
+
+ private:
+  fs::path named_;
+  int fd_;
+};
+
+bool is_special(const fs::path& target) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(target, ignored);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+// The file behind a symbolic link, so that the rename replaces the file and not the link.
+fs::path resolve(const fs::path& target) {
+  std::error_code error;
+  if (!fs::is_symlink(target, error)) return target;
+  const fs::path real = fs::canonical(target, error);
+  return error ? target : real;
+}
+
+// Unique in this process by the counter, between processes by the id; O_EXCL does the rest.
+fs::path temporary_name(const fs::path& target) {
+  static std::atomic<unsigned> counter{0};
+  return target.parent_path() /
+         fmt::format(".{}.{}-{}{}", target.stem().string(), ::getpid(), counter++, target.extension().string());
+}
+
+}  // namespace
+
+AtomicFile::AtomicFile(const fs::path& target)
+    : named_(target), target_(resolve(target)), temporary_(temporary_name(target_)) {
+  if (target.filename().empty() || fs::is_directory(target_)) {
+    bad_input(named_.string(), "output", "a directory", "the path of a file");
+  }
+  if (is_special(target_)) {
+    bad_input(named_.string(), "output", "a device or a pipe", "the path of a regular file");
+  }
+  Descriptor(temporary_, O_WRONLY | O_CREAT | O_EXCL, named_).close();
+}
+
+AtomicFile::~AtomicFile() {
+  std::error_code ignored;
+  if (!committed_) fs::remove(temporary_, ignored);
+}
+
+void AtomicFile::commit() {
+  Descriptor file(temporary_, O_WRONLY, named_);
+  file.flush();
+  file.close();
+  std::error_code error;
+  fs::rename(temporary_, target_, error);
+  if (error) fail(named_, "rename", error.value());
+  committed_ = true;
+}
+
+void write_file_atomically(const fs::path& target, std::span<const std::byte> bytes) {
+  if (is_special(target)) {
+    Descriptor device(target, O_WRONLY, target);
+    device.write(bytes);
+    device.close();
+    return;
+  }
+  AtomicFile file(target);
+  Descriptor out(file.temporary(), O_WRONLY, target);
+  out.write(bytes);
+  out.close();
+  file.commit();
+}
+
+void write_file_atomically(const fs::path& target, std::string_view text) {
+  write_file_atomically(target, std::as_bytes(std::span(text.data(), text.size())));
+}
+
+}  // namespace feline

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+namespace feline {
+
+// Outputs appear whole or not at all: everything goes to a temporary file in the target's
+// directory, which is flushed to the disk and then renamed over the target.
+
+// A temporary path for a writer that wants a file name of its own (a trace, a library).
+//   AtomicFile out("wave.fst");
+//   writer.open(out.temporary());  ...  writer.close();
+//   out.commit();
+class AtomicFile {
+ public:
+  // Creates the temporary, empty. Throws InputError when the directory is missing or not
+  // writable, or when the target is a directory or a device.
+  explicit AtomicFile(const std::filesystem::path& target);
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+  // Removes the temporary unless it was committed.
+  ~AtomicFile();
+
+  // In the target's directory and with its extension.
+  const std::filesystem::path& temporary() const { return temporary_; }
+
+  // Flushes to the disk and renames. The writer has closed the file and checked its own
+  // errors: bytes that it lost are not seen here. Throws InputError; the target is then as before.
+  void commit();
+
+ private:
+  std::filesystem::path named_;   // as the user wrote it, for messages
+  std::filesystem::path target_;  // symbolic links resolved
+  std::filesystem::path temporary_;
+  bool committed_ = false;
+};
+
+// Writes bytes to target, whole or not at all. A device or a pipe (/dev/full, /dev/stdout) is
+// written in place, because renaming over it would replace it. Throws InputError naming the
+// file and the system's reason: missing or unwritable directory, disk full, file too large.
+void write_file_atomically(const std::filesystem::path& target, std::span<const std::byte> bytes);
+void write_file_atomically(const std::filesystem::path& target, std::string_view text);
+
+}  // namespace feline

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "testbench/cosim/cosimulation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "tables/emit.h"
+#include "testbench/cosim/memory_model.h"
+
+namespace feline {
+
+Cosimulation::Cosimulation(const RtlFactory& factory, const Timing& timing)
+    : timing_(timing), unit_(factory(timing.seed)) {
+  if (unit_->fingerprint() != fingerprint<kUnit>()) {
+    throw std::runtime_error(
+        fmt::format("stale build: the RTL's fingerprint is {:016x}, the model's is {:016x}; "
+                    "run `feline tables --output tables/generated` and build again",
+                    unit_->fingerprint(), fingerprint<kUnit>()));
+  }
+}
+
+void Cosimulation::wave_cycle() {
+  if (!wave_) return;
+  if (cycle_ == wave_->first_cycle) unit_->open_wave(wave_->path);
+  if (cycle_ == wave_->last_cycle + 1) unit_->close_wave();
+}
+
+void Cosimulation::reset(const Batch& batch) {
+  std::array<std::uint32_t, beat_words<SamplerState<kUnit>>()> sampler{};
+  pack(batch.sampler, sampler);
+  unit_->set_sampler(sampler);
+  const bool first = batches_++ == 0;
+  // Reset once, at power-up; afterwards a batch only forgets the lines of the texture before it.
+  for (int i = 0; i < 2; ++i) {
+    wave_cycle();
+    RtlUnit::Inputs inputs;
+    inputs.reset = first;
+    inputs.flush = !first;
+    unit_->settle(inputs);
+    unit_->clock();
+    ++cycle_;
+  }
+}
+
+bool Cosimulation::fail(Stage stage, std::string note) {
+  if (!protocol_) protocol_ = Mismatch{Mismatch::Kind::kProtocol, stage, 0, 0, cycle_, {}, {}, std::move(note)};
+  return false;
+}
+
+// What is offered stays until it is taken.
+bool Cosimulation::check_protocol(const RtlUnit::Outputs& outputs, const RtlUnit::Inputs& inputs) {
+  if (held_.memory_request_valid &&
+      (!outputs.memory_request_valid || outputs.memory_request_line != held_.memory_request_line)) {
+    return fail(Stage::kFetch, "a memory request changed or went away before it was taken");
+  }
+  if (held_.accumulate_valid) {
+    const auto pixel = unit_->beat(Stage::kAccumulate);
+    if (!outputs.accumulate_valid || !std::ranges::equal(pixel, held_pixel_)) {
+      return fail(Stage::kAccumulate, "a pixel changed or went away before it was taken");
+    }
+  }
+  held_.memory_request_valid = outputs.memory_request_valid && !inputs.memory_request_ready;
+  held_.memory_request_line = outputs.memory_request_line;
+  held_.accumulate_valid = outputs.accumulate_valid && !inputs.accumulate_ready;
+  if (held_.accumulate_valid) {
+    const auto pixel = unit_->beat(Stage::kAccumulate);
+    held_pixel_.assign(pixel.begin(), pixel.end());
+  }
+  return true;
+}
+
+bool Cosimulation::run(const Batch& batch, const PixelSink& sink) {
+  if (mismatch()) return false;
+  reset(batch);
+  const std::uint64_t part = derived_seed(timing_.seed, batches_);
+  MemoryModel memory(*batch.memory, timing_.memory_latency, timing_.stalls, derived_seed(part, 1));
+  Random request_stalls(derived_seed(part, 2));
+  Random pixel_stalls(derived_seed(part, 3));
+  const auto stalls = [&](Random& random) { return timing_.stalls != 0 && random.chance(timing_.stalls); };
+
+  std::array<std::uint32_t, beat_words<RequestBeat<kUnit>>()> request{};
+  std::size_t offered = 0;
+  std::uint64_t pixels = 0;
+  bool offering = false;
+  // Longer than any legal wait: 16 probes of 8 misses, each with its latency and its stalls.
+  const double patience = 2000.0 + 16 * 8 * (timing_.memory_latency + 20) * 8 / (1 - timing_.stalls);
+  std::uint64_t last_progress = cycle_;
+
+  while (pixels < batch.lookups.size()) {
+    wave_cycle();
+    memory.begin_cycle(cycle_);
+    if (!offering && offered < batch.lookups.size() && !stalls(request_stalls)) {
+      const std::uint64_t lookup = batch.first_lookup + offered;
+      const auto beat = make_request<kUnit>(batch.lookups[offered], static_cast<std::int64_t>(lookup));
+      scoreboard_.expect(beat, batch.sampler, *batch.memory, lookup);
+      pack(beat, request);
+      unit_->set_request(request);
+      offering = true;
+    }
+    RtlUnit::Inputs inputs;
+    inputs.request_valid = offering;
+    inputs.memory_request_ready = memory.request_ready();
+    inputs.memory_response_valid = memory.response_valid();
+    if (memory.response_valid()) unit_->set_memory_response(memory.response());
+    inputs.accumulate_ready = !stalls(pixel_stalls);
+    unit_->settle(inputs);
+
+    const RtlUnit::Outputs outputs = unit_->outputs();
+    bool holds = true;
+    for (std::size_t index = 0; index < kStageCount && holds; ++index) {
+      if ((outputs.taken >> index & 1) == 0) continue;
+      const auto stage = static_cast<Stage>(index);
+      const auto got = unit_->beat(stage);
+      holds = scoreboard_.check(stage, got, cycle_);
+      last_progress = cycle_;
+      if (holds && stage == Stage::kAccumulate) {
+        if (sink) sink(batch.first_lookup + pixels, unpack<AccumulateBeat<kUnit>>(got));
+        ++pixels;
+      }
+    }
+    holds = holds && check_protocol(outputs, inputs);
+    if (outputs.request_ready && offering) {
+      offering = false;
+      ++offered;
+    }
+    if (memory.response_valid() && outputs.memory_response_ready) memory.take_response();
+    if (outputs.memory_request_valid && memory.request_ready())
+      memory.take_request(outputs.memory_request_line, cycle_);
+    unit_->clock();
+    ++cycle_;
+    if (!holds) {
+      memory_reads_ += memory.requests();
+      return false;
+    }
+    if (static_cast<double>(cycle_ - last_progress) > patience) {
+      memory_reads_ += memory.requests();
+      return scoreboard_.finish(cycle_) && fail(Stage::kGroup, "the unit takes no request");
+    }
+  }
+  memory_reads_ += memory.requests();
+  return scoreboard_.finish(cycle_);
+}
+
+}  // namespace feline

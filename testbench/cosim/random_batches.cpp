@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "testbench/cosim/random_batches.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "testbench/random.h"
+
+namespace feline {
+namespace {
+
+float from_bits(std::uint32_t bits) { return std::bit_cast<float>(bits); }
+
+// Every class of float32, each as likely as the others.
+float any_class(Random& random) {
+  const std::uint32_t sign = random.below(2) << 31;
+  const std::uint32_t fraction = random.below(1u << 23);
+  switch (random.below(10)) {
+    case 0: return from_bits(sign);
+    case 1: return from_bits(sign | 0x7f800000);                     // infinity
+    case 2: return from_bits(sign | 0x7f800000 | (fraction | 1));    // NaN
+    case 3: return from_bits(sign | (fraction | 1));                 // denormal
+    case 4: return from_bits(sign | 0x00800000);                     // least normal
+    case 5: return from_bits(sign | 0x7f7fffff);                     // greatest
+    case 6: return from_bits(sign | (1 + random.below(254)) << 23);  // power of two
+    case 7: return from_bits(sign | (1 + random.below(254)) << 23 | (random.below(2) != 0 ? 0x7fffff : 1));
+    case 8: return from_bits(sign | (117 + random.below(20)) << 23 | random.below(16) << 19);  // few bits: ties
+    default: return from_bits(static_cast<std::uint32_t>(random.next() >> 32));
+  }
+}
+
+float signed_unit(Random& random) { return static_cast<float>(2 * random.unit() - 1); }
+
+// 2^k, k uniform in low .. high.
+float octave(Random& random, int low, int high) {
+  return std::ldexp(1.0F + static_cast<float>(random.unit()),
+                    low + static_cast<int>(random.below(static_cast<std::uint32_t>(high - low))));
+}
+
+Lookup tame(Random& random, int width, int height) {
+  const float size = octave(random, -3, 8);
+  const float ratio = octave(random, -6, 1);
+  Lookup lookup;
+  lookup.s = 4 * signed_unit(random);
+  lookup.t = 4 * signed_unit(random);
+  lookup.dsdx = signed_unit(random) * size / static_cast<float>(width);
+  lookup.dtdx = signed_unit(random) * size / static_cast<float>(height);
+  lookup.dsdy = signed_unit(random) * size * ratio / static_cast<float>(width);
+  lookup.dtdy = signed_unit(random) * size * ratio / static_cast<float>(height);
+  // Ties of the two lengths, parallel and orthogonal gradients.
+  switch (random.below(16)) {
+    case 0:
+      lookup.dsdy = lookup.dsdx;
+      lookup.dtdy = -lookup.dtdx;
+      break;
+    case 1:
+      lookup.dsdy = lookup.dsdx / 2;
+      lookup.dtdy = lookup.dtdx / 2;
+      break;
+    case 2: lookup.dtdx = lookup.dsdy = 0; break;
+    case 3: lookup.dsdy = lookup.dtdy = 0; break;
+    default: break;
+  }
+  return lookup;
+}
+
+Lookup wild(Random& random) {
+  return {any_class(random), any_class(random), any_class(random),
+          any_class(random), any_class(random), any_class(random)};
+}
+
+// Tame, but for one operand.
+Lookup directed(Random& random, int width, int height) {
+  Lookup lookup = tame(random, width, height);
+  float* const operands[] = {&lookup.s, &lookup.t, &lookup.dsdx, &lookup.dtdx, &lookup.dsdy, &lookup.dtdy};
+  *operands[random.below(6)] = any_class(random);
+  return lookup;
+}
+
+int random_side(Random& random) {
+  switch (random.below(4)) {
+    case 0: return 1 << random.below(7);
+    case 1: return 1 + static_cast<int>(random.below(5));
+    default: return 1 + static_cast<int>(random.below(90));
+  }
+}
+
+Texture random_texture(Random& random) {
+  Texture texture;
+  texture.format = static_cast<TexelFormat>(random.below(3));
+  texture.srgb = random.below(2) != 0;
+  int width = random_side(random);
+  int height = random_side(random);
+  switch (random.below(12)) {
+    case 0: width = 1; break;
+    case 1: height = 1; break;
+    case 2: width = height = 1; break;
+    case 3:
+      width = 16384 - static_cast<int>(random.below(2));
+      height = 1 + static_cast<int>(random.below(3));
+      break;
+    case 4:
+      height = 16384 - static_cast<int>(random.below(2));
+      width = 1 + static_cast<int>(random.below(3));
+      break;
+    default: break;
+  }
+  const int levels = random.below(4) == 0 ? 1 + static_cast<int>(random.below(15)) : 15;
+  for (int k = 0; k < levels; ++k) {
+    MipLevel level{std::max(width >> k, 1), std::max(height >> k, 1), {}};
+    level.texels.resize(static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height) *
+                        static_cast<std::size_t>(bytes_per_texel(texture.format)));
+    for (auto& byte : level.texels) byte = static_cast<std::uint8_t>(random.next() >> 56);
+    texture.levels.push_back(std::move(level));
+    if (texture.levels.back().width == 1 && texture.levels.back().height == 1) break;
+  }
+  return texture;
+}
+
+SamplerOptions random_sampler(Random& random) {
+  SamplerOptions options;
+  options.mode = static_cast<Mode>(random.below(kModeNames.size()));
+  options.kernel = static_cast<Kernel>(random.below(2));
+  options.magnify = static_cast<Magnify>(random.below(2));
+  options.wrap_s = static_cast<Wrap>(random.below(4));
+  options.wrap_t = static_cast<Wrap>(random.below(4));
+  switch (random.below(4)) {
+    case 0: options.probes = kHighQuality; break;
+    case 1: options.probes = kHighEfficiency; break;
+    case 2:
+      options.probes = {static_cast<ProbeRounding>(random.below(2)), 0.0625 + 0.9375 * random.unit(),
+                        1 + 0.99 * random.unit(), 1 + random.unit()};
+      break;
+    default: break;
+  }
+  if (random.below(3) == 0) options.max_probes = 1 + static_cast<int>(random.below(16));
+  if (random.below(3) == 0) options.level_bias = 8 * random.unit() - 4;
+  if (random.below(16) == 0) options.level_bias = random.below(2) != 0 ? -16 : 15.99609375;
+  if (random.below(4) == 0) options.max_level = 15.99609375 * random.unit();
+  if (random.below(4) == 0) options.min_level = options.max_level * random.unit();
+  for (auto& channel : options.border) channel = random.unit();
+  return options;
+}
+
+}  // namespace
+
+Batch RandomBatches::make(std::uint64_t number, std::uint64_t lookups) {
+  Random random(derived_seed(seed_, number));
+  texture_ = random_texture(random);
+  options_ = random_sampler(random);
+  memory_ = layout_texture(texture_);
+  const std::uint64_t first = number * batch_lookups_;
+  const int width = texture_.levels.front().width;
+  const int height = texture_.levels.front().height;
+  lookups_.clear();
+  for (std::uint64_t i = first; i < std::min(first + batch_lookups_, lookups); ++i) {
+    const std::uint32_t kind = random.below(8);
+    lookups_.push_back(kind < 5   ? tame(random, width, height)
+                       : kind < 7 ? directed(random, width, height)
+                                  : wild(random));
+  }
+  return {make_sampler<kUnit>(options_, texture_, memory_), &memory_, lookups_, first};
+}
+
+}  // namespace feline

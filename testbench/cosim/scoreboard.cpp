@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "testbench/cosim/scoreboard.h"
+
+#include <algorithm>
+
+namespace feline {
+
+std::span<std::uint32_t> BeatQueue::push(std::uint64_t lookup, std::uint64_t probe) {
+  names_.push_back({lookup, probe});
+  data_.resize(names_.size() * words_);
+  return std::span(data_).last(words_);
+}
+
+BeatQueue::Entry BeatQueue::front() const {
+  return {names_[first_][0], names_[first_][1], std::span(data_).subspan(first_ * words_, words_)};
+}
+
+void BeatQueue::pop() {
+  ++first_;
+  // Given up in blocks, so that popping stays cheap and memory bounded.
+  constexpr std::size_t kBlock = 1024;
+  if (first_ == names_.size()) {
+    names_.clear();
+    data_.clear();
+    first_ = 0;
+  } else if (first_ == kBlock) {
+    names_.erase(names_.begin(), names_.begin() + kBlock);
+    data_.erase(data_.begin(), data_.begin() + static_cast<std::ptrdiff_t>(kBlock * words_));
+    first_ = 0;
+  }
+}
+
+Scoreboard::Scoreboard() {
+  [&]<std::size_t... kStage>(std::index_sequence<kStage...>) {
+    (queues_.emplace_back(static_cast<std::size_t>(beat_words<StageBeat<kUnit, kStage>>())), ...);
+  }
+  (std::make_index_sequence<kStageCount>{});
+}
+
+void Scoreboard::expect(const RequestBeat<kUnit>& request, const SamplerState<kUnit>& sampler,
+                        const TextureMemory& memory, std::uint64_t lookup) {
+  std::array<std::uint64_t, kStageCount> count{};
+  sample<kUnit>(request, sampler, memory, [&]<typename Beat>(const Beat& beat) {
+    constexpr std::size_t kStage = stage_of<kUnit, Beat>();
+    if constexpr (kStage < kStageCount) pack(beat, queues_[kStage].push(lookup, count[kStage]++));
+  });
+}
+
+bool Scoreboard::check(Stage stage, std::span<const std::uint32_t> got, std::uint64_t cycle) {
+  const auto index = static_cast<std::size_t>(stage);
+  BeatQueue& queue = queues_[index];
+  Mismatch found{Mismatch::Kind::kUnexpected, stage, 0, 0, cycle, {}, {got.begin(), got.end()}, ""};
+  if (!queue.empty()) {
+    const BeatQueue::Entry expected = queue.front();
+    if (std::ranges::equal(expected.words, got)) {
+      queue.pop();
+      ++beats_[index];
+      return true;
+    }
+    found.kind = Mismatch::Kind::kValue;
+    found.lookup = expected.lookup;
+    found.probe = expected.probe;
+    found.expected.assign(expected.words.begin(), expected.words.end());
+  }
+  if (!mismatch_) mismatch_ = found;
+  return false;
+}
+
+bool Scoreboard::finish(std::uint64_t cycle) {
+  for (std::size_t index = 0; index < kStageCount && !mismatch_; ++index) {
+    if (queues_[index].empty()) continue;
+    const BeatQueue::Entry expected = queues_[index].front();
+    mismatch_ = Mismatch{Mismatch::Kind::kMissing,
+                         static_cast<Stage>(index),
+                         expected.lookup,
+                         expected.probe,
+                         cycle,
+                         {expected.words.begin(), expected.words.end()},
+                         {},
+                         ""};
+  }
+  return !mismatch_;
+}
+
+bool Scoreboard::idle() const {
+  return std::ranges::all_of(queues_, [](const BeatQueue& queue) { return queue.empty(); });
+}
+
+}  // namespace feline

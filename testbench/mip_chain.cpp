@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "testbench/mip_chain.h"
+
+#include <OpenImageIO/filter.h>
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+namespace feline {
+namespace {
+
+// OpenImageIO resamples; the kernels are ours. Its own "lanczos3" goes through fast_sinpi, an
+// approximation good to 9e-4 (fmath.h), and its "box" takes the texels whose centres are inside,
+// which is uneven as soon as the ratio is not a whole number.
+
+// sinc(x) sinc(x / 3) in destination texels (Duchon 1979).
+class Lanczos3 final : public OIIO::Filter2D {
+ public:
+  Lanczos3() : Filter2D(2 * kRadius, 2 * kRadius) {}
+  bool separable() const override { return true; }
+  float operator()(float x, float y) const override { return xfilt(x) * yfilt(y); }
+  float xfilt(float x) const override {
+    if (std::abs(x) >= kRadius) return 0.0f;
+    return static_cast<float>(sinc(x) * sinc(double{x} / kRadius));
+  }
+  float yfilt(float y) const override { return xfilt(y); }
+  OIIO::string_view name() const override { return "feline-lanczos3"; }
+
+ private:
+  static constexpr float kRadius = 3.0f;
+  static double sinc(double x) {
+    if (x == 0.0) return 1.0;
+    return std::sin(std::numbers::pi * x) / (std::numbers::pi * x);
+  }
+};
+
+// The overlap of a source texel, ratio = destination / source wide, with a destination texel.
+class AreaBox final : public OIIO::Filter2D {
+ public:
+  AreaBox(float x_ratio, float y_ratio)
+      : Filter2D(1.0f + x_ratio, 1.0f + y_ratio), x_ratio_(x_ratio), y_ratio_(y_ratio) {}
+  bool separable() const override { return true; }
+  float operator()(float x, float y) const override { return xfilt(x) * yfilt(y); }
+  float xfilt(float x) const override { return overlap(x, x_ratio_); }
+  float yfilt(float y) const override { return overlap(y, y_ratio_); }
+  OIIO::string_view name() const override { return "feline-box"; }
+
+ private:
+  static float overlap(float x, float ratio) { return std::clamp(0.5f + 0.5f * ratio - std::abs(x), 0.0f, ratio); }
+  float x_ratio_;
+  float y_ratio_;
+};
+
+std::unique_ptr<OIIO::Filter2D> make_filter(MipFilter filter, float x_ratio, float y_ratio) {
+  if (filter == MipFilter::kBox) return std::make_unique<AreaBox>(x_ratio, y_ratio);
+  return std::make_unique<Lanczos3>();
+}
+
+// IEC 61966-2-1.
+double srgb_to_linear(double encoded) {
+  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+// From a stored channel to light and back. Encoding searches the 255 boundaries between codes,
+// which are the decoded half-way values: the nearest code of the encoded value, without an inverse.
+class Transfer {
+ public:
+  explicit Transfer(bool srgb) {
+    const auto light = [srgb](double encoded) { return srgb ? srgb_to_linear(encoded) : encoded; };
+    for (std::size_t code = 0; code < 256; ++code) {
+      decode_[code] = static_cast<float>(light(static_cast<double>(code) / 255.0));
+    }
+    for (std::size_t code = 0; code < 255; ++code) {
+      boundary_[code] = static_cast<float>(light((static_cast<double>(code) + 0.5) / 255.0));
+    }
+  }
+  float decode(std::uint8_t code) const { return decode_[code]; }
+  std::uint8_t encode(float value) const {
+    const auto above = std::upper_bound(boundary_.begin(), boundary_.end(), value);
+    return static_cast<std::uint8_t>(above - boundary_.begin());
+  }
+
+ private:
+  std::array<float, 256> decode_{};
+  std::array<float, 255> boundary_{};
+};
+
+// A level in light, float32, channels interleaved.
+struct FloatLevel {
+  int width;
+  int height;
+  std::vector<float> values;
+};
+
+std::size_t value_count(int width, int height, int channels) {
+  return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(channels);
+}
+
+// A copy with pad more texels on every side, taken from the other end of the periodic image.
+FloatLevel pad_periodic(const FloatLevel& level, int channels, int pad) {
+  FloatLevel padded{level.width + 2 * pad, level.height + 2 * pad, {}};
+  padded.values.reserve(value_count(padded.width, padded.height, channels));
+  const auto wrap = [](int i, int size) { return ((i % size) + size) % size; };
+  for (int y = -pad; y < level.height + pad; ++y) {
+    for (int x = -pad; x < level.width + pad; ++x) {
+      const std::size_t from = value_count(level.width, wrap(y, level.height), channels) +
+                               static_cast<std::size_t>(wrap(x, level.width)) * static_cast<std::size_t>(channels);
+      for (std::size_t c = 0; c < static_cast<std::size_t>(channels); ++c) {
+        padded.values.push_back(level.values[from + c]);
+      }
+    }
+  }
+  return padded;
+}
+
+FloatLevel next_level(FloatLevel& from, int channels, MipFilter filter, MipEdge edge) {
+  FloatLevel to{mip_size(from.width, 1), mip_size(from.height, 1), {}};
+  to.values.resize(value_count(to.width, to.height, channels));
+
+  OIIO::ImageSpec spec(from.width, from.height, channels, OIIO::TypeDesc::FLOAT);
+  FloatLevel padded;
+  float* source = from.values.data();
+  if (edge == MipEdge::kRepeat) {
+    // A ratio below 3 (3 to 1) times a radius of 3. OpenImageIO maps the full windows onto each
+    // other and reads what the data window has beyond them.
+    constexpr int kPad = 10;
+    padded = pad_periodic(from, channels, kPad);
+    source = padded.values.data();
+    spec.x = spec.y = -kPad;
+    spec.width = padded.width;
+    spec.height = padded.height;
+  }
+  const OIIO::ImageBuf source_image(spec, source);
+  OIIO::ImageBuf target_image(OIIO::ImageSpec(to.width, to.height, channels, OIIO::TypeDesc::FLOAT), to.values.data());
+  const auto kernel = make_filter(filter, static_cast<float>(to.width) / static_cast<float>(from.width),
+                                  static_cast<float>(to.height) / static_cast<float>(from.height));
+  if (!OIIO::ImageBufAlgo::resize(target_image, source_image, kernel.get())) {
+    throw std::runtime_error("mip chain: " + target_image.geterror());
+  }
+  return to;
+}
+
+}  // namespace
+
+std::vector<MipLevel> build_mip_chain(MipLevel base, int channels, MipFilter filter, bool srgb, MipEdge edge) {
+  if (base.width < 1 || base.height < 1 || base.texels.size() != value_count(base.width, base.height, channels)) {
+    throw std::invalid_argument("build_mip_chain: the texels do not fill the level");
+  }
+  const Transfer colour(srgb);
+  const Transfer linear(false);
+  const auto transfer = [&](std::size_t index) -> const Transfer& {
+    return channels == 4 && index % 4 == 3 ? linear : colour;
+  };
+
+  FloatLevel level{base.width, base.height, std::vector<float>(base.texels.size())};
+  for (std::size_t i = 0; i < level.values.size(); ++i) {
+    level.values[i] = transfer(i).decode(base.texels[i]);
+  }
+  std::vector<MipLevel> levels;
+  levels.push_back(std::move(base));
+  while (level.width > 1 || level.height > 1) {
+    level = next_level(level, channels, filter, edge);
+    MipLevel stored{level.width, level.height, std::vector<std::uint8_t>(level.values.size())};
+    for (std::size_t i = 0; i < level.values.size(); ++i) {
+      stored.texels[i] = transfer(i).encode(level.values[i]);
+    }
+    levels.push_back(std::move(stored));
+  }
+  return levels;
+}
+
+}  // namespace feline

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "testbench/picture.h"
+
+#include <algorithm>
+#include <array>
+
+#include "tables/roms.h"
+#include "testbench/image.h"
+
+namespace feline {
+namespace {
+
+using Colour = std::array<int, 3>;
+
+struct Anchor {
+  int at;  // 1/256
+  Colour colour;
+};
+
+// Linear between the anchors.
+Colour ramp(std::span<const Anchor> anchors, int at) {
+  for (std::size_t i = 1; i < anchors.size(); ++i) {
+    const Anchor& low = anchors[i - 1];
+    const Anchor& high = anchors[i];
+    if (at > high.at && i + 1 < anchors.size()) continue;
+    const int position = std::clamp(at, low.at, high.at) - low.at;
+    Colour colour{};
+    for (std::size_t c = 0; c < 3; ++c) {
+      colour[c] = low.colour[c] + (high.colour[c] - low.colour[c]) * position / (high.at - low.at);
+    }
+    return colour;
+  }
+  return anchors.front().colour;
+}
+
+// The sRGB code whose linear value, raw U8.4, is nearest to a raw U8.8.
+std::uint8_t srgb_code(std::int64_t linear) {
+  const auto& words = roms<kDefaultConfig>().srgb.words;
+  const auto distance = [&](std::size_t code) {
+    return std::abs(static_cast<std::int64_t>(words[code]) * 16 - linear);
+  };
+  const auto above = std::ranges::lower_bound(words, static_cast<std::uint64_t>((linear + 15) / 16));
+  const auto high = std::min<std::size_t>(static_cast<std::size_t>(above - words.begin()), 255);
+  if (high == 0) return 0;
+  return static_cast<std::uint8_t>(distance(high - 1) <= distance(high) ? high - 1 : high);
+}
+
+template <typename ColourOf>
+void write_map(const std::filesystem::path& path, const Picture& picture, ColourOf colour_of) {
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(picture.plans.size() * 3);
+  for (const auto& plan : picture.plans) {
+    for (const int channel : colour_of(plan)) bytes.push_back(static_cast<std::uint8_t>(channel));
+  }
+  write_png(path, picture.width, picture.height, 3, std::span<const std::uint8_t>(bytes));
+}
+
+}  // namespace
+
+void write_picture(const std::filesystem::path& path, const Picture& picture) {
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(picture.pixels.size() * 4);
+  for (const auto& pixel : picture.pixels) {
+    for (std::size_t c = 0; c < 4; ++c) {
+      const std::int64_t raw = pixel.colour[c].raw();
+      bytes.push_back(picture.srgb && c < 3 ? srgb_code(raw)
+                                            : static_cast<std::uint8_t>(std::min<std::int64_t>((raw + 128) >> 8, 255)));
+    }
+  }
+  write_png(path, picture.width, picture.height, 4, std::span<const std::uint8_t>(bytes));
+}
+
+void write_probe_map(const std::filesystem::path& path, const Picture& picture) {
+  constexpr std::array<Anchor, 5> kAnchors{Anchor{0, {255, 255, 255}}, Anchor{256, {120, 190, 255}},
+                                           Anchor{512, {20, 40, 160}}, Anchor{768, {0, 255, 0}},
+                                           Anchor{1024, {255, 0, 0}}};
+  write_map(path, picture, [&](const PlanBeat<kDefaultConfig>& plan) {
+    // log2 of the count, piecewise linear between powers of two.
+    const int probes = static_cast<int>(plan.probes.raw());
+    const int top = bit_length(probes) - 1;
+    return ramp(kAnchors, 256 * top + ((probes - (1 << top)) << 8 >> top));
+  });
+}
+
+void write_level_map(const std::filesystem::path& path, const Picture& picture, int last_level) {
+  const int span = std::max(last_level, 1) * 256;
+  const std::array<Anchor, 6> anchors{Anchor{0, {220, 40, 40}},
+                                      Anchor{span / 5, {240, 170, 30}},
+                                      Anchor{span * 2 / 5, {230, 230, 60}},
+                                      Anchor{span * 3 / 5, {60, 180, 75}},
+                                      Anchor{span * 4 / 5, {40, 110, 220}},
+                                      Anchor{span, {130, 40, 180}}};
+  write_map(path, picture, [&](const PlanBeat<kDefaultConfig>& plan) {
+    return ramp(anchors, static_cast<int>(plan.level_of_detail.raw()));
+  });
+}
+
+}  // namespace feline

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <atomic>
+#include <charconv>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "testbench/atomic_file.h"
+#include "testbench/cosim/job.h"
+#include "testbench/cosim/random_batches.h"
+#include "testbench/error.h"
+#include "testbench/program/commands.h"
+#include "testbench/program/subject.h"
+#include "testbench/scenes/scene.h"
+
+namespace feline {
+namespace {
+
+struct CosimOptions {
+  SubjectOptions subject;
+  SamplerChoice sampler;
+  std::vector<std::string> scenes;
+  std::uint64_t random = 0;
+  Timing timing;
+  std::string replay;
+  std::string output;
+  std::string wave = "feline-mismatch.fst";
+  bool no_wave = false;
+  bool json = false;
+  unsigned jobs = 0;
+  std::string command_line;  // without --replay
+};
+
+// Everything a job's batches refer to lives as long as the job.
+struct PreparedJob {
+  CosimJob job;
+  std::shared_ptr<const Subject> subject;
+  SamplerState<kUnit> sampler;
+};
+
+std::optional<ReplayRange> parse_replay(const std::string& text, std::uint64_t lookups) {
+  if (text.empty()) return std::nullopt;
+  ReplayRange range;
+  const char* const end = text.data() + text.size();
+  auto [at, error] = std::from_chars(text.data(), end, range.first);
+  range.last = range.first;
+  if (error == std::errc{} && at != end && *at == ':') {
+    const auto second = std::from_chars(at + 1, end, range.last);
+    at = second.ptr;
+    error = second.ec;
+  }
+  if (error != std::errc{} || at != end || range.last < range.first || range.last >= lookups) {
+    bad_input("command line", "--replay", text, fmt::format("a lookup or FIRST:LAST, 0 to {}", lookups - 1));
+  }
+  return range;
+}
+
+PreparedJob scene_job(const CosimOptions& options, const std::shared_ptr<const Subject>& subject,
+                      const SamplerOptions& choice, const std::string& command) {
+  PreparedJob prepared;
+  prepared.subject = subject;
+  prepared.sampler = prepare_sampler(choice, subject->texture, subject->memory);
+  CosimJob& job = prepared.job;
+  job.scene = subject->name;
+  job.mode = kModeNames[static_cast<std::size_t>(choice.mode)];
+  job.kernel = kKernelNames[static_cast<std::size_t>(choice.kernel)];
+  job.wrap = kWrapNames[static_cast<std::size_t>(choice.wrap_s)];
+  job.timing = options.timing;
+  job.command = command;
+  job.width = subject->gbuffer.width;
+  job.lookups = job.batch_lookups = subject->gbuffer.lookups.size();
+  job.batch = [subject, sampler = prepared.sampler](std::uint64_t) {
+    return Batch{sampler, &subject->memory, subject->gbuffer.lookups, 0};
+  };
+  return prepared;
+}
+
+// Random lookups, in parts that run side by side; a part is a range of batches of the same run.
+PreparedJob random_job(const CosimOptions& options) {
+  constexpr std::uint64_t kBatchLookups = 256;
+  PreparedJob prepared;
+  CosimJob& job = prepared.job;
+  job.scene = "random";
+  job.mode = job.kernel = job.wrap = "random";
+  job.timing = options.timing;
+  job.command = options.command_line;
+  job.lookups = options.random;
+  job.batch_lookups = kBatchLookups;
+  job.batch = [batches = std::make_shared<RandomBatches>(options.timing.seed, kBatchLookups),
+               lookups = options.random](std::uint64_t number) { return batches->make(number, lookups); };
+  return prepared;
+}
+
+nlohmann::ordered_json to_json(const CosimJob& job, const CosimResult& result) {
+  nlohmann::ordered_json beats;
+  for (std::size_t stage = 0; stage < kStageCount; ++stage)
+    beats[std::string(kStageNames[stage])] = result.beats[stage];
+  return {{"scene", job.scene},
+          {"mode", job.mode},
+          {"kernel", job.kernel},
+          {"wrap", job.wrap},
+          {"seed", job.timing.seed},
+          {"lookups", result.lookups},
+          {"probes", result.probes},
+          {"beats", beats},
+          {"mismatches", result.mismatches},
+          {"cycles", result.cycles},
+          {"memory_reads", result.memory_reads},
+          {"seconds", result.seconds}};
+}
+
+std::string joined(const std::vector<PreparedJob>& jobs, std::string CosimJob::*field) {
+  std::vector<std::string> seen;
+  for (const auto& prepared : jobs) {
+    if (std::ranges::find(seen, prepared.job.*field) == seen.end()) seen.push_back(prepared.job.*field);
+  }
+  return fmt::format("{}", fmt::join(seen, ","));
+}
+
+CosimResult total(const std::vector<CosimResult>& results) {
+  CosimResult sum;
+  for (const auto& result : results) {
+    sum.lookups += result.lookups;
+    sum.probes += result.probes;
+    sum.mismatches += result.mismatches;
+    sum.cycles += result.cycles;
+    sum.memory_reads += result.memory_reads;
+    sum.seconds += result.seconds;
+    for (std::size_t stage = 0; stage < kStageCount; ++stage) sum.beats[stage] += result.beats[stage];
+  }
+  return sum;
+}
+
+nlohmann::ordered_json summary_json(const std::vector<PreparedJob>& jobs, const std::vector<CosimResult>& results,
+                                    double seconds) {
+  CosimJob all = jobs.front().job;
+  all.scene = joined(jobs, &CosimJob::scene);
+  all.mode = joined(jobs, &CosimJob::mode);
+  all.kernel = joined(jobs, &CosimJob::kernel);
+  all.wrap = joined(jobs, &CosimJob::wrap);
+  auto json = to_json(all, total(results));
+  json["seconds"] = seconds;
+  for (std::size_t i = 0; i < jobs.size(); ++i) json["runs"].push_back(to_json(jobs[i].job, results[i]));
+  return json;
+}
+
+std::string summary_text(const std::vector<PreparedJob>& jobs, const std::vector<CosimResult>& results,
+                         double seconds) {
+  std::string out = fmt::format("{:<14}{:<11}{:<10}{:<17}{:>10}{:>12}{:>8}{:>12}{:>8}{:>12}\n", "scene", "mode",
+                                "kernel", "wrap", "lookups", "probes", "a pixel", "cycles", "a probe", "mismatches");
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    const CosimJob& job = jobs[i].job;
+    const CosimResult& r = results[i];
+    const double lookups = static_cast<double>(std::max<std::uint64_t>(r.lookups, 1));
+    const double probes = static_cast<double>(std::max<std::uint64_t>(r.probes, 1));
+    out += fmt::format("{:<14}{:<11}{:<10}{:<17}{:>10}{:>12}{:>8.2f}{:>12}{:>8.2f}{:>12}\n", job.scene, job.mode,
+                       job.kernel, job.wrap, r.lookups, r.probes, static_cast<double>(r.probes) / lookups, r.cycles,
+                       static_cast<double>(r.cycles) / probes, r.mismatches);
+  }
+  const CosimResult sum = total(results);
+  std::uint64_t beats = 0;
+  for (const auto count : sum.beats) beats += count;
+  out += fmt::format("{}: {} beats of {} stages compared, {} mismatches, {} lookups, {} cycles, {:.1f} s, seed {}\n",
+                     sum.mismatches == 0 ? "RTL and model agree" : "RTL AND MODEL DIFFER", beats, kStageCount,
+                     sum.mismatches, sum.lookups, sum.cycles, seconds, jobs.front().job.timing.seed);
+  return out;
+}
+
+Picture to_picture(const PreparedJob& prepared, CosimResult& result) {
+  const Subject& subject = *prepared.subject;
+  Picture picture{subject.gbuffer.width, subject.gbuffer.height, subject.texture.srgb, std::move(result.pixels), {}};
+  for (const Lookup& lookup : subject.gbuffer.lookups) {
+    const auto request = make_request<kUnit>(lookup, 0);
+    picture.plans.push_back(
+        plan<kUnit>(footprint<kUnit>(group<kUnit>(request, prepared.sampler), prepared.sampler), prepared.sampler));
+  }
+  return picture;
+}
+
+void write_outputs(const CosimOptions& options, const std::vector<PreparedJob>& jobs, std::vector<CosimResult>& results,
+                   double seconds) {
+  const std::filesystem::path directory = options.output;
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    if (!jobs[i].subject || results[i].mismatches != 0 || !options.replay.empty()) continue;
+    const CosimJob& job = jobs[i].job;
+    const std::string scene = std::filesystem::path(job.scene).stem().string();
+    const std::string stem = fmt::format("{}-{}-{}-{}", scene, job.mode, job.kernel, job.wrap);
+    const Picture picture = to_picture(jobs[i], results[i]);
+    write_picture(directory / (stem + ".png"), picture);
+    write_probe_map(directory / (stem + "-probes.png"), picture);
+    fmt::print("{}\n{}\n", (directory / (stem + ".png")).string(), (directory / (stem + "-probes.png")).string());
+  }
+  write_file_atomically(directory / "summary.txt", summary_text(jobs, results, seconds));
+  write_file_atomically(directory / "summary.json", summary_json(jobs, results, seconds).dump(1) + "\n");
+  fmt::print("{}\n", (directory / "summary.json").string());
+}
+
+std::vector<PreparedJob> prepare_jobs(const CosimOptions& options) {
+  if (options.random != 0) return {random_job(options)};
+  std::vector<std::string> names = options.scenes;
+  if (names == std::vector<std::string>{"all"}) {
+    names.clear();
+    for (const Scene& scene : scenes()) names.emplace_back(scene.name);
+  }
+  if (names.empty()) names.emplace_back("");
+  std::vector<PreparedJob> jobs;
+  for (const std::string& name : names) {
+    const auto subject = std::make_shared<const Subject>(options.subject.load(name));
+    for (const SamplerOptions& choice : options.sampler.combinations()) {
+      std::string command = options.command_line;
+      if (!name.empty()) command += fmt::format(" --scene {}", name);
+      command += fmt::format(" --mode {} --kernel {} --wrap {}", kModeNames[static_cast<std::size_t>(choice.mode)],
+                             kKernelNames[static_cast<std::size_t>(choice.kernel)],
+                             kWrapNames[static_cast<std::size_t>(choice.wrap_s)]);
+      jobs.push_back(scene_job(options, subject, choice, command));
+    }
+  }
+  return jobs;
+}
+
+std::vector<CosimResult> run_all(const CosimOptions& options, const std::vector<PreparedJob>& jobs) {
+  std::uint64_t lookups = 0;
+  for (const auto& prepared : jobs) lookups += prepared.job.lookups;
+  Progress progress("co-simulating", lookups);
+  const auto replay = parse_replay(options.replay, jobs.front().job.lookups);
+  std::vector<CosimResult> results(jobs.size());
+  std::atomic<std::size_t> next{0};
+  std::mutex mutex;
+  std::exception_ptr failure;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < jobs.size(); i = next++) {
+      try {
+        FollowUp follow_up;
+        if (!options.no_wave) follow_up = {make_trace_unit, options.wave};
+        results[i] = run_job(jobs[i].job, make_fast_unit, follow_up, replay, !options.output.empty(), &progress);
+      } catch (...) {
+        const std::scoped_lock lock(mutex);
+        failure = std::current_exception();
+      }
+    }
+  };
+  const unsigned wanted = options.jobs != 0 ? options.jobs : std::max(1U, std::thread::hardware_concurrency());
+  std::vector<std::thread> threads;
+  for (std::size_t i = 0; i < std::min<std::size_t>(wanted, jobs.size()); ++i) threads.emplace_back(work);
+  for (auto& thread : threads) thread.join();
+  if (failure) std::rethrow_exception(failure);
+  return results;
+}
+
+int run_cosim(const CosimOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  if (options.timing.memory_latency < 1 || options.timing.memory_latency > 100000) {
+    bad_input("command line", "--memory-latency", std::to_string(options.timing.memory_latency), "1 to 100000 cycles");
+  }
+  if (!(options.timing.stalls >= 0 && options.timing.stalls <= 0.95)) {
+    bad_input("command line", "--stalls", fmt::format("{}", options.timing.stalls), "0 to 0.95");
+  }
+  if (!options.output.empty() && !std::filesystem::is_directory(options.output)) {
+    bad_input(options.output, "--output", "no directory", "a directory that exists");
+  }
+  const auto jobs = prepare_jobs(options);
+  auto results = run_all(options, jobs);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  bool holds = true;
+  for (const auto& result : results) {
+    fmt::print(stderr, "{}", result.message);
+    holds = holds && result.mismatches == 0;
+  }
+  if (options.json) {
+    fmt::print("{}\n", summary_json(jobs, results, seconds).dump(1));
+  } else {
+    fmt::print("{}", summary_text(jobs, results, seconds));
+  }
+  if (!options.output.empty()) write_outputs(options, jobs, results, seconds);
+  return holds ? kHolds : kBroken;
+}
+
+// The command line again, without what a replay chooses anew.
+std::string repeat_command(const std::vector<std::string>& arguments) {
+  constexpr std::array<std::string_view, 6> kChosen{"--replay", "--scene", "--mode", "--kernel", "--wrap", "--output"};
+  std::string command = "feline cosim";
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string& argument = arguments[i];
+    if (std::ranges::find(kChosen, argument) != kChosen.end()) {
+      ++i;
+      continue;
+    }
+    if (std::ranges::any_of(kChosen, [&](auto name) { return argument.starts_with(std::string(name) + "="); }))
+      continue;
+    const bool plain = argument.find_first_of(" '\"$\\*?") == std::string::npos;
+    command += plain ? " " + argument : " '" + argument + "'";
+  }
+  return command;
+}
+
+}  // namespace
+
+void add_cosim(CLI::App& program, int& exit_code, const std::vector<std::string>& arguments) {
+  auto options = std::make_shared<CosimOptions>();
+  options->command_line = repeat_command(arguments);
+  CLI::App* command =
+      program.add_subcommand("cosim", "compares the RTL with the model on a scene, every stage's every beat");
+  command->footer(
+      "Stops a run at the first wrong stage: prints the field, the stage's inputs, a waveform and a replay command.\n"
+      "Example: feline cosim --scene bricks --mode simple,table --size 512 --stalls 0.2 --memory-latency 50");
+  command->add_option("--scene", options->scenes, "built-in scene; a list a,b, or all")->delimiter(',');
+  options->subject.add_to(*command);
+  options->sampler.add_to(*command, true);
+  command->add_option("--random", options->random, "so many random and directed lookups under random samplers instead");
+  command->add_option("--memory-latency", options->timing.memory_latency, "cycles from a read to its data, >= 1")
+      ->capture_default_str();
+  command->add_option("--stalls", options->timing.stalls, "chance of a stall at each port in each cycle, 0 to 0.95")
+      ->capture_default_str();
+  command->add_option("--seed", options->timing.seed, "of stalls, power-up state and random lookups")
+      ->capture_default_str();
+  command->add_option("--replay", options->replay, "only this lookup, or FIRST:LAST");
+  command->add_option("--output", options->output, "directory for pictures, probe maps and the summary");
+  command->add_option("--wave", options->wave, "waveform (FST) around a mismatch")->capture_default_str();
+  command->add_flag("--no-wave", options->no_wave, "write no waveform");
+  command->add_option("--jobs", options->jobs, "runs side by side; 0: as many as there are processors")
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "the summary as JSON");
+  command->callback([options, &exit_code] {
+    options->subject.periodic = options->sampler.repeats();
+    exit_code = run_cosim(*options);
+  });
+}
+
+}  // namespace feline

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "testbench/cosim/job.h"
+#include "testbench/error.h"
+#include "testbench/program/commands.h"
+#include "testbench/program/subject.h"
+
+namespace feline {
+namespace {
+
+struct RenderOptions {
+  SubjectOptions subject;
+  SamplerChoice sampler;
+  std::string engine = "model";
+  std::string output = "picture.png";
+  bool map = false;
+};
+
+constexpr std::array<std::string_view, 2> kEngineNames{"model", "rtl"};
+
+Picture render_model(const Subject& subject, const SamplerState<kUnit>& sampler) {
+  Picture picture{subject.gbuffer.width, subject.gbuffer.height, subject.texture.srgb, {}, {}};
+  Progress progress("rendering", subject.gbuffer.lookups.size());
+  for (const Lookup& lookup : subject.gbuffer.lookups) {
+    picture.pixels.push_back(
+        sample<kUnit>(make_request<kUnit>(lookup, 0), sampler, subject.memory, [&]<typename Beat>(const Beat& beat) {
+          if constexpr (std::is_same_v<Beat, PlanBeat<kUnit>>) picture.plans.push_back(beat);
+        }));
+    progress.advance(1);
+  }
+  return picture;
+}
+
+// The pixels are the RTL's own; the maps show the plans, which co-simulation compares.
+Picture render_rtl(const Subject& subject, const SamplerState<kUnit>& sampler, bool& holds) {
+  CosimJob job;
+  job.scene = subject.name;
+  job.width = subject.gbuffer.width;
+  job.lookups = job.batch_lookups = subject.gbuffer.lookups.size();
+  job.command = "feline cosim";
+  job.batch = [&](std::uint64_t) { return Batch{sampler, &subject.memory, subject.gbuffer.lookups, 0}; };
+  Progress progress("rendering", job.lookups);
+  CosimResult result = run_job(job, make_fast_unit, {}, std::nullopt, true, &progress);
+  holds = result.mismatches == 0;
+  fmt::print(stderr, "{}", result.message);
+  Picture picture = render_model(subject, sampler);
+  picture.pixels = std::move(result.pixels);
+  return picture;
+}
+
+std::filesystem::path beside(const std::filesystem::path& path, std::string_view suffix) {
+  return path.parent_path() / fmt::format("{}-{}{}", path.stem().string(), suffix, path.extension().string());
+}
+
+int run_render(const RenderOptions& options) {
+  const bool rtl = parse_name("--engine", options.engine, kEngineNames) == 1;
+  const Subject subject = options.subject.load();
+  const SamplerOptions choice = options.sampler.one();
+  const auto sampler = prepare_sampler(choice, subject.texture, subject.memory);
+  bool holds = true;
+  const Picture picture = rtl ? render_rtl(subject, sampler, holds) : render_model(subject, sampler);
+  if (!holds) return kBroken;
+  const std::filesystem::path path = options.output;
+  write_picture(path, picture);
+  fmt::print("{}\n", path.string());
+  if (options.map) {
+    write_probe_map(beside(path, "probes"), picture);
+    write_level_map(beside(path, "levels"), picture, static_cast<int>(sampler.last_level.raw()));
+    fmt::print("{}\n{}\n", beside(path, "probes").string(), beside(path, "levels").string());
+  }
+  return kHolds;
+}
+
+}  // namespace
+
+void add_render(CLI::App& program, int& exit_code) {
+  auto options = std::make_shared<RenderOptions>();
+  CLI::App* command = program.add_subcommand("render", "makes a picture of a G-buffer and a texture");
+  command->footer("Example: feline render --scene window --mode table --size 512 --output window.png --map");
+  command->add_option("--scene", options->subject.scene, "built-in scene");
+  options->subject.add_to(*command);
+  options->sampler.add_to(*command, false);
+  command->add_option("--engine", options->engine, "model or rtl")->capture_default_str();
+  command->add_option("--output", options->output, "PNG to write")->capture_default_str();
+  command->add_flag("--map", options->map, "write maps of probes and levels beside it");
+  command->callback([options, &exit_code] {
+    options->subject.periodic = options->sampler.repeats();
+    exit_code = run_render(*options);
+  });
+}
+
+}  // namespace feline

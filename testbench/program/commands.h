@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace feline {
+
+// Exit codes of the program, which scripts rely on.
+enum ExitCode : int {
+  kHolds = 0,     // everything asked for holds
+  kBroken = 1,    // RTL and model differ, or a bound is broken
+  kBadInput = 2,  // bad use or bad input
+};
+
+// Each adds its subcommand, which sets the exit code when it runs.
+void add_tables(CLI::App& program, int& exit_code);
+void add_scene(CLI::App& program, int& exit_code);
+void add_render(CLI::App& program, int& exit_code);
+void add_explain(CLI::App& program, int& exit_code);
+void add_vectors(CLI::App& program, int& exit_code);
+// `arguments` is the command line behind "cosim", from which replay commands are made.
+void add_cosim(CLI::App& program, int& exit_code, const std::vector<std::string>& arguments);
+
+}  // namespace feline

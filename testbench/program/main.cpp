@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <csignal>
+#include <exception>
+
+#include "testbench/error.h"
+#include "testbench/program/commands.h"
+
+int main(int argc, char** argv) {
+  CLI::App program{"Feline: an anisotropic texture unit, its bit-accurate model and their co-simulation."};
+  program.require_subcommand(1);
+  program.footer(
+      "Exit codes: 0 holds, 1 a mismatch or a broken bound, 2 bad use or bad input.\n"
+      "Example: feline cosim --scene bricks --mode table --size 256");
+  int exit_code = feline::kHolds;
+  // A file beyond the size limit is then a write error like any other, with a message.
+  std::signal(SIGXFSZ, SIG_IGN);
+  feline::add_tables(program, exit_code);
+  feline::add_scene(program, exit_code);
+  feline::add_render(program, exit_code);
+  feline::add_explain(program, exit_code);
+  feline::add_vectors(program, exit_code);
+  feline::add_cosim(program, exit_code, {argv + std::min(argc, 2), argv + argc});
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error) == 0 ? feline::kHolds : feline::kBadInput;
+  } catch (const feline::InputError& error) {
+    fmt::print(stderr, "feline: {}\n", error.what());
+    return feline::kBadInput;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "feline: {}\n", error.what());
+    return feline::kBroken;
+  }
+  return exit_code;
+}

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/memory.h"
+#include "model/sampler.h"
+#include "testbench/gbuffer.h"
+#include "testbench/image.h"
+
+namespace feline {
+
+// What is looked at: lookups and the texture they look into.
+struct Subject {
+  std::string name;
+  GBuffer gbuffer;
+  Texture texture;
+  TextureMemory memory;
+};
+
+// The command line's part of it: a built-in scene, a user's own files, or one of each.
+struct SubjectOptions {
+  std::string scene;
+  std::string gbuffer;
+  std::string texture;
+  std::string size = "256";
+  std::string mip_filter = "lanczos";
+  std::string format;
+  bool srgb = false;
+  bool allow_non_finite = false;
+  bool periodic = false;  // the wrap mode repeats: mip levels of a texture file have no seam
+
+  void add_to(CLI::App& command);
+  Subject load(const std::string& scene_name) const;
+  Subject load() const { return load(scene); }
+};
+
+// "512" or "512x256"; InputError unless both are 1 .. 16384.
+struct Size {
+  int width = 0;
+  int height = 0;
+};
+Size parse_size(const std::string& option, const std::string& text);
+
+// One of `names`, as its index; InputError naming the option, and all that is legal.
+std::size_t parse_name(const std::string& option, const std::string& value, std::span<const std::string_view> names);
+
+// The command line's sampler. Lists are for cosim, which runs every combination; "all" is every one.
+struct SamplerChoice {
+  std::vector<std::string> modes{"table"};
+  std::vector<std::string> kernels{"bilinear"};
+  std::vector<std::string> wraps{"repeat"};
+  std::string magnify;
+  std::string parameters = "exact";
+  std::optional<double> length_factor, blur_factor, alias_factor;
+  int max_probes = kDefaultConfig.max_probes;
+  double bias = 0;
+  double min_level = 0;
+  std::optional<double> max_level;
+  std::vector<double> border;
+
+  void add_to(CLI::App& command, bool lists);
+  // Every combination asked for, in the order mode, kernel, wrap.
+  std::vector<SamplerOptions> combinations() const;
+  SamplerOptions one() const { return combinations().front(); }
+  bool repeats() const { return wraps == std::vector<std::string>{"repeat"}; }
+};
+
+// make_sampler with its complaint turned into an InputError.
+SamplerState<kDefaultConfig> prepare_sampler(const SamplerOptions& options, const Texture& texture,
+                                             const TextureMemory& memory);
+
+}  // namespace feline

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+namespace feline {
+
+// A bar on standard error, if that is a terminal and the work has taken two seconds. Safe to advance from threads.
+class Progress {
+ public:
+  Progress(std::string what, std::uint64_t total);
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  ~Progress();
+  void advance(std::uint64_t done);
+
+ private:
+  void draw(std::uint64_t done);
+
+  std::string what_;
+  std::uint64_t total_;
+  bool terminal_;
+  std::chrono::steady_clock::time_point start_;
+  std::atomic<std::uint64_t> done_{0};
+  std::atomic<std::int64_t> drawn_{0};  // milliseconds after the start
+};
+
+}  // namespace feline

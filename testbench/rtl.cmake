@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: Apache-2.0
+# The RTL as C++ libraries: feline_fast for speed, feline_trace with waveforms.
+
+file(GLOB RTL_SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/rtl/*.sv)
+file(GLOB RTL_GENERATED CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tables/generated/feline_rom_*.sv)
+# The package comes first: everything refers to it.
+set(RTL_FILES ${CMAKE_SOURCE_DIR}/tables/generated/feline_pkg.sv ${RTL_GENERATED} ${RTL_SOURCES})
+
+# feline_verilated(library source optimization [TRACE_FST] [WARNINGS option] FILES files...)
+function(feline_verilated library source optimization)
+  cmake_parse_arguments(PARSE_ARGV 3 UNIT "TRACE_FST" "WARNINGS" "FILES")
+  if(NOT UNIT_WARNINGS)
+    set(UNIT_WARNINGS -Wall)
+  endif()
+  set(options)
+  if(UNIT_TRACE_FST)
+    set(options TRACE_FST)
+  endif()
+  add_library(${library} STATIC ${source})
+  target_include_directories(${library} PRIVATE ${CMAKE_SOURCE_DIR})
+  target_link_libraries(${library} PUBLIC feline_tables)
+  verilate(${library} ${options} TOP_MODULE feline_unit PREFIX V${library} SOURCES ${UNIT_FILES}
+    VERILATOR_ARGS ${UNIT_WARNINGS} -O3 --x-assign unique --x-initial unique --no-timing
+    OPT_FAST ${optimization} OPT_SLOW -O1 OPT_GLOBAL -O2)
+endfunction()
+
+feline_verilated(feline_fast testbench/cosim/fast_unit.cpp -O3 FILES ${RTL_FILES})
+feline_verilated(feline_trace testbench/cosim/trace_unit.cpp -O1 TRACE_FST FILES ${RTL_FILES})

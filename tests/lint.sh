@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Layout, formatting, and the RTL in both front ends. Prints the command that mends what it finds.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+source testbench/build.sh
+
+fail() {
+  echo "lint: $1" >&2
+  exit 1
+}
+
+# The top level, exactly; every hand-written file within 400 lines.
+extra=$(find . -mindepth 1 -maxdepth 1 -not -name '.*' -not -name 'build*' -printf '%f\n' |
+  grep -vxE 'CMakeLists.txt|README.md|model|rtl|tables|testbench|tests' || true)
+[[ -z $extra ]] || fail "the top level has entries that the layout does not name: $extra"
+sources=$(find model rtl tables testbench tests -not -path 'tables/generated/*' \( -name '*.cpp' -o -name '*.h' \))
+long=$(find CMakeLists.txt README.md model rtl tables testbench tests -type f -not -path 'tables/generated/*' \
+  -exec awk 'END { if (NR > 400) print FILENAME ": " NR }' {} \;)
+[[ -z $long ]] || fail "files over 400 lines: $long"
+
+# Data flows one way: tables -> model -> testbench -> tests; OpenImageIO in the testbench only.
+flows() {
+  local room=$1 allowed=$2 bad
+  bad=$(grep -rnE '#include "(tables|model|rtl|testbench|tests)/' "$room" --include='*.h' --include='*.cpp' |
+    grep -vE "#include \"($allowed)/" || true)
+  [[ -z $bad ]] || fail "$room may include $allowed only:
+$bad"
+}
+flows tables tables
+flows model 'tables|model'
+flows testbench 'tables|model|testbench'
+outside=$(grep -rln 'OpenImageIO' tables model rtl || true)
+[[ -z $outside ]] || fail "OpenImageIO is for the testbench only: $outside"
+if [[ -d model/reference ]]; then
+  shared=$(grep -rnE '#include "model/[a-z_]+\.h"' model/reference || true)
+  [[ -z $shared ]] || fail "model/reference shares no arithmetic with the stages: $shared"
+fi
+
+# shellcheck disable=SC2086
+clang-format --dry-run -Werror $sources || fail "formatting; mend it with: clang-format -i \$(git ls-files '*.cpp' '*.h')"
+
+rtl="tables/generated/feline_pkg.sv $(echo tables/generated/feline_rom_*.sv) $(echo rtl/*.sv)"
+# shellcheck disable=SC2086
+verilator --lint-only -Wall --no-timing --top-module feline_unit $rtl || fail "verilator -Wall"
+# shellcheck disable=SC2086
+yosys -q -p "read_verilog -sv -noautowire $rtl; hierarchy -check -top feline_unit; proc; check -assert" ||
+  fail "yosys does not take the RTL"
+echo "lint: clean"

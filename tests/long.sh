@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# What --all adds to the tests. The argument chooses tests by name.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+source testbench/build.sh
+regex=${1:-.}
+
+step() { printf '\n== %s (%d s)\n' "$1" "$SECONDS"; }
+
+step "long tests"
+ctest --test-dir build --output-on-failure --no-tests=ignore -j 2 -L long -R "$regex"
+
+step "every scene, mode, kernel and wrap at 256 x 256"
+build/feline cosim --scene all --mode all --kernel all --wrap all --size 256 --stalls 0.1 --memory-latency 10 \
+  --no-wave | tail -n 1
+
+step "10 million random and directed lookups"
+for seed in 1 2; do
+  build/feline cosim --random 5000000 --seed "$seed" --stalls 0.1 --memory-latency 3 --no-wave | tail -n 1 &
+  pids+=($!)
+done
+for pid in "${pids[@]}"; do wait "$pid"; done
+
+step "the netlist in Icarus"
+tests/rtl/netlist.sh build/netlist
+
+step "clang++ and clang-tidy"
+feline_build build-clang Release all -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
+tests/tidy.sh build-clang
+
+step "sanitizers: address, undefined behaviour"
+feline_build build-sanitize RelWithDebInfo all -DFELINE_SANITIZE=ON
+ctest --test-dir build-sanitize --output-on-failure --no-tests=error -j 2 -LE long -R "$regex"
+printf '\nall: %d s\n' "$SECONDS"

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// Invariants 1, 2, 6 and 7 of the design, of the whole unit, for every kind of lookup, sampler and texture.
+#include "tests/support/invariants.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/describe.h"
+
+namespace feline {
+namespace {
+
+// The far side of the wrap modes must not let a border colour in.
+SamplerOptions options_without_border(Random& random) {
+  SamplerOptions options = random_options(random);
+  if (options.wrap_s == Wrap::kClampToBorder) options.wrap_s = Wrap::kMirroredRepeat;
+  if (options.wrap_t == Wrap::kClampToBorder) options.wrap_t = Wrap::kClampToEdge;
+  return options;
+}
+
+std::int64_t status_of(const Lookup& lookup) {
+  const bool coordinates = std::isfinite(lookup.s) && std::isfinite(lookup.t);
+  const bool derivatives = std::isfinite(lookup.dsdx) && std::isfinite(lookup.dtdx) && std::isfinite(lookup.dsdy) &&
+                           std::isfinite(lookup.dtdy);
+  return (coordinates ? 0 : kCoordinateNotFinite) | (derivatives ? 0 : kDerivativeNotFinite);
+}
+
+// Every pair of float classes in every pair of operands; calls check(lookup).
+template <typename Check>
+void for_each_pair_of_classes(Check check) {
+  for (int first = 0; first < 6; ++first) {
+    for (int second = first + 1; second < 6; ++second) {
+      for (const auto a : kFloatLattice) {
+        for (const auto b : kFloatLattice) {
+          std::array<float, 6> operand{0.3F, 0.8F, 0.05F, -0.01F, 0.02F, 0.011F};
+          operand[static_cast<std::size_t>(first)] = float_of(a);
+          operand[static_cast<std::size_t>(second)] = float_of(b);
+          check(Lookup{operand[0], operand[1], operand[2], operand[3], operand[4], operand[5]});
+          if (::testing::Test::HasFatalFailure()) return;
+        }
+      }
+    }
+  }
+}
+
+void expect_constant(const Lookup& lookup, const State& state, const Scene& scene) {
+  const Observation seen = observe(lookup, state, scene);
+  for (std::size_t c = 0; c < 4; ++c) {
+    ASSERT_EQ(seen.low[c], seen.high[c]);
+    ASSERT_EQ(seen.pixel.colour[c].raw(), 16 * seen.low[c]) << one_line(lookup) << " " << one_line(state);
+  }
+  const auto& texels = scene.texture.levels[0].texels;
+  if (scene.texture.srgb) return;
+  ASSERT_EQ(seen.pixel.colour[0].raw(), 256 * texels[0]) << one_line(lookup);
+}
+
+// Invariant 1: 1,000,000 lookups into 54 constant textures.
+TEST(model_invariants, constant_texture_comes_back_exactly) {
+  const SeedTrace trace(__FILE__, __LINE__);
+  Random random = random_for("model_invariants.constant");
+  const auto scenes = make_scenes(random, Content::kConstant);
+  for (int i = 0; i < 1000000 && !HasFatalFailure(); ++i) {
+    const Scene& scene = pick(random, scenes);
+    expect_constant(lookup_into(random, scene), state_into(options_without_border(random), scene), scene);
+  }
+}
+
+TEST(model_invariants, constant_texture_lattice) {
+  Random random = random_for("model_invariants.constant_lattice");
+  const auto scenes = make_scenes(random, Content::kConstant);
+  for_each_pair_of_classes([&](const Lookup& lookup) {
+    const Scene& scene = pick(random, scenes);
+    expect_constant(lookup, state_into(options_without_border(random), scene), scene);
+  });
+}
+
+void expect_bounds_and_status(const Lookup& lookup, const State& state, const Scene& scene, int tag) {
+  const Observation seen = observe(lookup, state, scene, tag);
+  const auto where = [&] { return one_line(lookup) + " " + one_line(state) + " " + one_line(seen.pixel); };
+  // 2: within the texels touched. 6: count and weights. 7: status, and nobody else's tag.
+  for (std::size_t c = 0; c < 4; ++c) {
+    ASSERT_LE(16 * seen.low[c], seen.pixel.colour[c].raw()) << where();
+    ASSERT_GE(16 * seen.high[c], seen.pixel.colour[c].raw()) << where();
+  }
+  ASSERT_GE(seen.probes, 1) << where();
+  ASSERT_LE(seen.probes, state.max_probes.raw()) << where();
+  ASSERT_EQ(seen.probes, seen.plan.probes.raw()) << where();
+  ASSERT_EQ(seen.weights, 256) << where();
+  ASSERT_EQ(seen.pixel.status.raw(), status_of(lookup)) << where();
+  ASSERT_EQ(seen.pixel.tag.raw(), tag) << where();
+  if ((status_of(lookup) & kDerivativeNotFinite) != 0) {
+    ASSERT_EQ(seen.probes, 1) << where();
+    ASSERT_EQ(seen.group.exponent.raw(), 63) << where();
+  }
+}
+
+// Invariants 2, 6 and 7: 1,000,000 lookups of every kind into noise and into texels of 0 and 255 only.
+TEST(model_invariants, bounds_weights_and_status) {
+  const SeedTrace trace(__FILE__, __LINE__);
+  Random random = random_for("model_invariants.bounds");
+  auto scenes = make_scenes(random, Content::kNoise);
+  for (auto& scene : make_scenes(random, Content::kExtremes)) scenes.push_back(std::move(scene));
+  for (int i = 0; i < 1000000 && !HasFatalFailure(); ++i) {
+    const Scene& scene = pick(random, scenes);
+    expect_bounds_and_status(lookup_into(random, scene), state_into(random_options(random), scene), scene, i & 0xffff);
+  }
+}
+
+// Invariant 7: a lookup of any float classes leaves nothing behind: the same tame lookup after each of them gives the
+// same pixel, and the lookup itself gives the same pixel twice.
+TEST(model_invariants, lattice_of_float_classes_leaves_nothing_behind) {
+  Random random = random_for("model_invariants.lattice");
+  const auto scenes = make_scenes(random, Content::kNoise);
+  for_each_pair_of_classes([&](const Lookup& lookup) {
+    const Scene& scene = pick(random, scenes);
+    const State state = state_into(random_options(random), scene);
+    const Lookup tame = tame_lookup(random, 64, 64);
+    const Pixel before = observe(tame, state, scene, 5).pixel;
+    const Pixel wild = observe(lookup, state, scene, 6).pixel;
+    const Pixel after = observe(tame, state, scene, 5).pixel;
+    ASSERT_TRUE(same(before, after)) << one_line(lookup) << " " << one_line(state);
+    ASSERT_TRUE(same(wild, observe(lookup, state, scene, 6).pixel)) << one_line(lookup);
+    expect_bounds_and_status(lookup, state, scene, 6);
+  });
+}
+
+// Invariant 7, in values: NaN reads as 0, an infinite coordinate as the far edge or 0, an unbounded footprint as the
+// coarsest level.
+TEST(model_invariants, what_non_finite_operands_read) {
+  Random random(3);
+  const Scene scene = make_scene(random, 32, 32, TexelFormat::kR8, false, Content::kNoise);
+  SamplerOptions options = plain_options(Mode::kTable);
+  const auto red = [&](const Lookup& lookup) {
+    return observe(lookup, state_into(options, scene), scene).pixel.colour[0].raw();
+  };
+  const float nan = float_of(0x7fc00000);
+  const float infinity = float_of(0x7f800000);
+  EXPECT_EQ(red({nan, 0.4F, 0.01F, 0, 0, 0.01F}), red({0, 0.4F, 0.01F, 0, 0, 0.01F}));
+  EXPECT_EQ(red({infinity, 0.4F, 0.01F, 0, 0, 0.01F}), red({0, 0.4F, 0.01F, 0, 0, 0.01F}));
+  options.wrap_s = Wrap::kClampToEdge;
+  EXPECT_EQ(red({infinity, 0.4F, 0.01F, 0, 0, 0.01F}), red({1, 0.4F, 0.01F, 0, 0, 0.01F}));
+  EXPECT_EQ(red({-infinity, 0.4F, 0.01F, 0, 0, 0.01F}), red({0, 0.4F, 0.01F, 0, 0, 0.01F}));
+  const auto coarsest = 256 * std::int64_t{scene.texture.levels.back().texels[0]};
+  EXPECT_EQ(red({0.3F, 0.4F, nan, 0, 0, 0.01F}), coarsest);
+  EXPECT_EQ(red({0.3F, 0.4F, 0.01F, 0, -infinity, 0.01F}), coarsest);
+  EXPECT_EQ(red({0.3F, 0.4F, 0x1p127F, 0, 0, 0x1p127F}), coarsest);
+}
+
+}  // namespace
+}  // namespace feline

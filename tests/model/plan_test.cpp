@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/plan.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "model/footprint.h"
+#include "tests/support/describe.h"
+#include "tests/support/footprints.h"
+#include "tests/support/oracle.h"
+
+namespace feline {
+namespace {
+
+State random_state(Random& random) {
+  const int width = static_cast<int>(random.between(1, 1 << random.between(0, 14)));
+  const int height = static_cast<int>(random.between(1, 1 << random.between(0, 14)));
+  int levels = 1;
+  while ((std::max(width, height) >> levels) > 0) ++levels;
+  if (random.one_in(3)) levels = static_cast<int>(random.between(1, levels));
+  return oracle::sampler_state(random_options(random), TexelFormat::kRgba8, false, width, height, levels, {});
+}
+
+void expect_as_oracle(const FootprintBeat<kDefaultConfig>& shaped, const State& state) {
+  const auto got = plan<kDefaultConfig>(shaped, state);
+  const auto want = oracle::plan(shaped, state);
+  ASSERT_TRUE(same(got, want)) << mismatch(got, want, shaped, state);
+}
+
+// 1,000,000 footprints of random quadruples in every mode, parameter set, limit, bias and size; exponents mostly where
+// radii are 1/4 to 2^16 texels.
+TEST(model_plan, equals_exact_arithmetic) {
+  const SeedTrace trace(__FILE__, __LINE__);
+  Random random = random_for("model_plan.equals_exact_arithmetic");
+  for (int i = 0; i < 1000000 && !HasFatalFailure(); ++i) {
+    const State state = random_state(random);
+    const int exponent = static_cast<int>(random.one_in(8) ? random.between(-64, 63) : random.between(-9, 10));
+    expect_as_oracle(footprint<kDefaultConfig>(group_beat(random_quad(random), exponent), state), state);
+  }
+}
+
+// The major radius of a footprint is 0 or at least 64 * 128, its largest mantissa being at least 64.
+//
+// Radii at the corners of every comparison: minor 0, minor = major, and ratios k/2 and k/8 with a unit to either side,
+// at every exponent, in the modes and parameter sets.
+TEST(model_plan, lattice_of_ratios) {
+  constexpr std::array<std::int64_t, 6> kMajors{0, 8192, 8193, 12000, 16383, 32767};
+  for (const Mode mode : {Mode::kTrilinear, Mode::kExt, Mode::kSimple}) {
+    for (const ProbeParameters& probes : {kExact, kHighQuality, kHighEfficiency}) {
+      for (const int limit : {1, 2, 15, 16}) {
+        SamplerOptions options = plain_options(mode);
+        options.probes = probes;
+        options.max_probes = limit;
+        const State state = oracle::sampler_state(options, TexelFormat::kR8, false, 16384, 1000, 15, {});
+        for (const std::int64_t major : kMajors) {
+          for (std::int64_t eighths = 8; eighths <= 144; ++eighths) {
+            for (std::int64_t off = -1; off <= 1; ++off) {
+              const std::int64_t minor = std::clamp<std::int64_t>(8 * major / eighths + off, 0, major);
+              FootprintBeat<kDefaultConfig> shaped;
+              shaped.major_u = shaped.major_u.from_raw(major);
+              shaped.major_v = shaped.major_v.from_raw(-major);
+              shaped.major_radius = shaped.major_radius.from_raw(major);
+              shaped.minor_radius = shaped.minor_radius.from_raw(minor);
+              const std::int64_t first = eighths == 8 ? -64 : -9;
+              for (std::int64_t exponent = first; exponent <= (eighths == 8 ? 63 : 9); exponent += 3) {
+                shaped.exponent = shaped.exponent.from_raw(exponent);
+                expect_as_oracle(shaped, state);
+                if (HasFatalFailure()) return;
+              }
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
+// Every radius, at an exponent without clamps: log2 of it, correctly rounded after rounding to 9 significant bits, so
+// within 1/512 octave for the table and log2(1 + 2^-9) < 1/354 for the radius.
+TEST(model_plan, level_of_every_radius) {
+  for (std::int64_t radius = 1; radius <= 32767; ++radius) {
+    const double got = level_of_radius<kDefaultConfig>(radius, 3).value();
+    const double want = std::log2(static_cast<double>(radius) / 128 * 8);
+    ASSERT_NEAR(got, want, 1.0 / 512 + 1.0 / 354) << radius;
+    ASSERT_GE(got, (level_of_radius<kDefaultConfig>(radius - 1, 3).value())) << radius;
+  }
+  EXPECT_EQ(level_of_radius<kDefaultConfig>(0, 0).raw(), -32 * 256);
+  EXPECT_EQ(level_of_radius<kDefaultConfig>(32767, 63).raw(), 32 * 256 - 1);
+  EXPECT_EQ(level_of_radius<kDefaultConfig>(1, -64).raw(), -32 * 256);
+}
+
+// Bar 4: Simple takes 4 probes and Table as many as its radii say, near the ideal 9.
+TEST(model_plan, the_papers_example) {
+  const auto probes = [](Mode mode) {
+    SamplerOptions options = plain_options(mode);
+    const State state = oracle::sampler_state(options, TexelFormat::kR8, false, 256, 256, 9, {});
+    return plan<kDefaultConfig>(footprint<kDefaultConfig>(group_beat({104, 0, 96, 40}, -3), state), state);
+  };
+  EXPECT_EQ(probes(Mode::kSimple).probes.raw(), 4);
+  EXPECT_EQ(probes(Mode::kExt).probes.raw(), 2);
+  const auto table = probes(Mode::kTable);
+  EXPECT_NEAR(static_cast<double>(table.probes.raw()), 9, 1);
+  EXPECT_NEAR(table.level_of_detail.value(), std::log2(3.606), 0.12);
+  // Section 3.2 of the report computes 4.97 probes for the filter of figure 4; here 2 * 13/5.099 - 1 = 4.099.
+  EXPECT_NEAR(probes(Mode::kSimple).level_of_detail.value(), std::log2(2 * 13.0 / 5), 0.03);
+}
+
+// Erratum 6: the two roundings are two modes. Errata 7: the radius after each.
+TEST(model_plan, both_roundings_of_the_probe_count) {
+  const auto plan_of = [](std::int64_t major, std::int64_t minor, const ProbeParameters& probes, int limit) {
+    SamplerOptions options = plain_options(Mode::kSimple);
+    options.probes = probes;
+    options.max_probes = limit;
+    const State state = oracle::sampler_state(options, TexelFormat::kR8, false, 4096, 4096, 13, {});
+    FootprintBeat<kDefaultConfig> shaped;
+    shaped.major_radius = shaped.major_radius.from_raw(major);
+    shaped.minor_radius = shaped.minor_radius.from_raw(minor);
+    return plan<kDefaultConfig>(shaped, state);
+  };
+  ProbeParameters ceiling = kExact;
+  ceiling.rounding = ProbeRounding::kCeiling;
+  EXPECT_EQ(plan_of(10240, 4096, kExact, 16).probes.raw(), 4);  // fProbes 4
+  EXPECT_EQ(plan_of(10240, 4096, ceiling, 16).probes.raw(), 4);
+  EXPECT_EQ(plan_of(10241, 4096, kExact, 16).probes.raw(), 4);  // just above: nearest stays, ceiling goes up
+  EXPECT_EQ(plan_of(10241, 4096, ceiling, 16).probes.raw(), 5);
+  EXPECT_EQ(plan_of(11264, 4096, kExact, 16).probes.raw(), 5);  // 4.5 goes up
+  // Unlimited: as wide as blurFactor allows. Limited: 2 major/((iProbes + 1) aliasFactor).
+  EXPECT_NEAR(plan_of(16384, 2048, kHighQuality, 16).level_of_detail.value(), std::log2(16 * 1.15625), 0.02);
+  EXPECT_NEAR(plan_of(16384, 512, kHighQuality, 7).level_of_detail.value(), std::log2(2 * 128 * 0.9625 / 8 / 1.1532),
+              0.02);
+}
+
+TEST(model_plan, bias_clamps_and_nearest_levels) {
+  const auto level = [](Mode mode, double bias, double least, double most, std::int64_t radius, int levels) {
+    SamplerOptions options = plain_options(mode);
+    options.level_bias = bias;
+    options.min_level = least;
+    options.max_level = most;
+    const State state = oracle::sampler_state(options, TexelFormat::kR8, false, 256, 256, levels, {});
+    FootprintBeat<kDefaultConfig> shaped;
+    shaped.major_radius = shaped.minor_radius = shaped.major_radius.from_raw(radius);
+    return plan<kDefaultConfig>(shaped, state);
+  };
+  EXPECT_EQ(level(Mode::kTrilinear, 0, 0, 15, 512, 9).level_of_detail.raw(), 2 * 256);
+  EXPECT_EQ(level(Mode::kTrilinear, 0.5, 0, 15, 512, 9).level_of_detail.raw(), 2 * 256 + 128);
+  EXPECT_EQ(level(Mode::kTrilinear, 0, 0, 1.25, 512, 9).level_of_detail.raw(), 256 + 64);
+  EXPECT_EQ(level(Mode::kTrilinear, 0, 3.5, 15, 512, 9).level_of_detail.raw(), 3 * 256 + 128);
+  EXPECT_EQ(level(Mode::kTrilinear, 0, 0, 15, 512, 2).level_of_detail.raw(), 256);
+  EXPECT_EQ(level(Mode::kBilinear, 0.5, 0, 15, 512, 9).level_of_detail.raw(), 2 * 256);  // a tie: the finer level
+  EXPECT_EQ(level(Mode::kNearest, 0.50390625, 0, 15, 512, 9).level_of_detail.raw(), 3 * 256);
+  EXPECT_EQ(level(Mode::kNearest, 0, 0, 15, 512, 9).linear.raw(), 0);
+  EXPECT_EQ(level(Mode::kNearest, 0, 0, 15, 128, 9).linear.raw(), 1);  // magnifies: magnify is linear
+  EXPECT_EQ(level(Mode::kTrilinear, -16, 0, 15, 512, 9).level_of_detail.raw(), 0);
+}
+
+}  // namespace
+}  // namespace feline

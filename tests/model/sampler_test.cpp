@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// The driver's code: the sampler state, what it refuses, and the layout of memory.
+#include "model/sampler.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "tests/support/describe.h"
+#include "tests/support/oracle.h"
+#include "tests/support/samplers.h"
+
+namespace feline {
+namespace {
+
+// 100,000 random options on textures of every shape and format.
+TEST(model_sampler, equals_exact_arithmetic) {
+  const SeedTrace trace(__FILE__, __LINE__);
+  Random random = random_for("model_sampler.equals_exact_arithmetic");
+  const auto scenes = make_scenes(random, Content::kNoise);
+  for (int i = 0; i < 100000; ++i) {
+    const Scene& scene = scenes[static_cast<std::size_t>(random.below(static_cast<std::int64_t>(scenes.size())))];
+    const SamplerOptions options = random_options(random);
+    const Texture& texture = scene.texture;
+    const State got = make_sampler<kDefaultConfig>(options, texture, scene.memory);
+    const State want =
+        oracle::sampler_state(options, texture.format, texture.srgb, texture.levels[0].width, texture.levels[0].height,
+                              static_cast<int>(texture.levels.size()), scene.memory.level_base);
+    ASSERT_TRUE(same(got, want)) << mismatch(got, want);
+  }
+}
+
+// Every size: reciprocal * 2^-15 * 2^-shift is 1/size to half a unit, and normalized.
+TEST(model_sampler, reciprocal_of_every_size) {
+  for (int size = 1; size <= 16384; ++size) {
+    const Texture texture{
+        TexelFormat::kR8, false, {{size, 1, std::vector<std::uint8_t>(static_cast<std::size_t>(size))}}};
+    const State state = make_sampler<kDefaultConfig>(SamplerOptions{}, texture, TextureMemory{{}, {0}});
+    const auto mantissa = state.width_reciprocal.raw();
+    ASSERT_GE(mantissa, 32768) << size;
+    ASSERT_LE(mantissa, 65535) << size;
+    const std::int64_t whole = std::int64_t{1} << (15 + state.width_shift.raw());
+    ASSERT_LE(2 * std::abs(mantissa * size - whole), size) << size;
+  }
+}
+
+TEST(model_sampler, named_parameter_sets_are_the_papers) {
+  EXPECT_EQ(kHighQuality.length_factor, 0.9625);
+  EXPECT_EQ(kHighQuality.blur_factor, 1.15625);
+  EXPECT_EQ(kHighQuality.alias_factor, 1.1532);
+  EXPECT_EQ(kHighEfficiency.length_factor, 0.9625);
+  EXPECT_EQ(kHighEfficiency.blur_factor, 1.3125);
+  EXPECT_EQ(kHighEfficiency.alias_factor, 1.3544);
+  EXPECT_EQ(kExact.rounding, ProbeRounding::kNearest);
+  EXPECT_EQ(kHighQuality.rounding, ProbeRounding::kCeiling);
+  EXPECT_EQ(kHighEfficiency.rounding, ProbeRounding::kCeiling);
+}
+
+struct Refusal {
+  const char* field;
+  std::function<void(SamplerOptions&, Texture&)> spoil;
+};
+
+TEST(model_sampler, refuses_what_the_machine_cannot_hold) {
+  const double nan = std::nan("");
+  const std::vector<Refusal> refusals{{"lengthFactor", [](auto& o, auto&) { o.probes.length_factor = 0; }},
+                                      {"lengthFactor", [](auto& o, auto&) { o.probes.length_factor = 1.01; }},
+                                      {"blurFactor", [](auto& o, auto&) { o.probes.blur_factor = 0.99; }},
+                                      {"blurFactor", [](auto& o, auto&) { o.probes.blur_factor = 2; }},
+                                      {"aliasFactor", [nan](auto& o, auto&) { o.probes.alias_factor = nan; }},
+                                      {"aliasFactor", [](auto& o, auto&) { o.probes.alias_factor = 2.1; }},
+                                      {"maxProbes", [](auto& o, auto&) { o.max_probes = 0; }},
+                                      {"maxProbes", [](auto& o, auto&) { o.max_probes = 17; }},
+                                      {"level bias", [](auto& o, auto&) { o.level_bias = 16; }},
+                                      {"level bias", [](auto& o, auto&) { o.level_bias = -16.01; }},
+                                      {"max level", [](auto& o, auto&) { o.max_level = -1; }},
+                                      {"min level", [](auto& o, auto&) { o.min_level = 2, o.max_level = 1; }},
+                                      {"border", [](auto& o, auto&) { o.border[2] = 1.5; }},
+                                      {"levels", [](auto&, auto& t) { t.levels.clear(); }},
+                                      {"levels", [](auto&, auto& t) { t.levels.push_back(t.levels.back()); }},
+                                      {"level 1", [](auto&, auto& t) { t.levels[1].width = 3; }},
+                                      {"level 2", [](auto&, auto& t) { t.levels[2].texels.pop_back(); }},
+                                      {"size", [](auto&, auto& t) { t.levels[0].width = 0; }},
+                                      {"size", [](auto&, auto& t) { t.levels[0].height = 16385; }}};
+  for (const Refusal& refusal : refusals) {
+    Random random(1);
+    Scene scene = make_scene(random, 4, 4, TexelFormat::kR8, false, Content::kNoise);
+    SamplerOptions options;
+    refusal.spoil(options, scene.texture);
+    try {
+      make_sampler<kDefaultConfig>(options, scene.texture, scene.memory);
+      ADD_FAILURE() << refusal.field << " was not refused";
+    } catch (const SamplerError& error) {
+      EXPECT_EQ(error.field, refusal.field);
+      EXPECT_FALSE(error.value.empty());
+      EXPECT_FALSE(error.legal.empty());
+      EXPECT_NE(std::string(error.what()).find(error.field), std::string::npos);
+    }
+  }
+}
+
+// Tiles of 4 x 4, rows of tiles, levels one after the other: each texel once, and nothing else but zeros.
+TEST(model_memory, layout_holds_every_texel_once) {
+  Random random(2);
+  for (const auto& scene : make_scenes(random, Content::kNoise)) {
+    const auto channels = static_cast<std::size_t>(bytes_per_texel(scene.texture.format));
+    std::vector<std::uint8_t> expected(scene.memory.bytes.size(), 0);
+    std::size_t line = 0;
+    for (std::size_t k = 0; k < scene.texture.levels.size(); ++k) {
+      const MipLevel& level = scene.texture.levels[k];
+      ASSERT_EQ(scene.memory.level_base[k], static_cast<std::int64_t>(line));
+      for (int tile_y = 0; tile_y < level.height; tile_y += 4) {
+        for (int tile_x = 0; tile_x < level.width; tile_x += 4, ++line) {
+          for (int y = tile_y; y < std::min(tile_y + 4, level.height); ++y) {
+            for (int x = tile_x; x < std::min(tile_x + 4, level.width); ++x) {
+              for (std::size_t c = 0; c < channels; ++c) {
+                const auto within = static_cast<std::size_t>(4 * (y - tile_y) + (x - tile_x)) * channels + c;
+                const auto from = static_cast<std::size_t>(y * level.width + x) * channels + c;
+                expected[line * 64 + within] = level.texels[from];
+              }
+            }
+          }
+        }
+      }
+    }
+    ASSERT_EQ(scene.memory.lines(), line);
+    ASSERT_EQ(scene.memory.bytes, expected);
+  }
+}
+
+}  // namespace
+}  // namespace feline

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+// fetch, filter and accumulate: what happens to texels.
+#include <gtest/gtest.h>
+
+#include "model/unit.h"
+#include "tests/support/describe.h"
+#include "tests/support/lookups.h"
+#include "tests/support/oracle.h"
+#include "tests/support/samplers.h"
+
+namespace feline {
+namespace {
+
+// A walk beat anywhere near the texture, on any of its levels.
+WalkBeat<kDefaultConfig> random_walk(Random& random, const State& state) {
+  WalkBeat<kDefaultConfig> beat;
+  beat.level_of_detail = beat.level_of_detail.from_raw(random.between(0, state.last_level.raw() << 8));
+  beat.linear = beat.linear.from_raw(random.one_in(4) ? 0 : 1);
+  beat.s = beat.s.from_raw(random.between(-3 << 24, 4 << 24));
+  beat.t = beat.t.from_raw(random.between(-3 << 24, 4 << 24));
+  beat.weight = beat.weight.from_raw(random.between(0, 256));
+  return beat;
+}
+
+State state_of(Random& random, const Scene& scene) {
+  return make_sampler<kDefaultConfig>(random_options(random), scene.texture, scene.memory);
+}
+
+// 1,000,000 probes into textures of every format and shape: lines of memory against the texture itself, and the tree
+// of interpolations against one exact sum of eight products.
+TEST(model_fetch, and_filter_equal_exact_arithmetic) {
+  const SeedTrace trace(__FILE__, __LINE__);
+  Random random = random_for("model_fetch.and_filter_equal_exact_arithmetic");
+  const auto scenes = make_scenes(random, Content::kNoise);
+  for (int i = 0; i < 1000000; ++i) {
+    const Scene& scene = scenes[static_cast<std::size_t>(random.below(static_cast<std::int64_t>(scenes.size())))];
+    const State state = state_of(random, scene);
+    const auto addressed = oracle::address(random_walk(random, state), state);
+    const auto fetched = fetch<kDefaultConfig>(addressed, state, scene.memory);
+    const auto want = oracle::fetch(addressed, state, scene.texture);
+    ASSERT_TRUE(same(fetched, want)) << mismatch(fetched, want, addressed, state);
+    const auto filtered = filter<kDefaultConfig>(fetched, state);
+    const auto exact = oracle::filter(fetched, state);
+    ASSERT_TRUE(same(filtered, exact)) << mismatch(filtered, exact, fetched, state);
+  }
+}
+
+// Corners: every texel 0 or full, every fraction at its ends, both kernels.
+TEST(model_filter, lattice_of_extremes) {
+  for (int pattern = 0; pattern < 256; ++pattern) {
+    for (int choice = 0; choice < 243; ++choice) {
+      constexpr std::array<std::int64_t, 3> kFractions{0, 128, 255};
+      FetchBeat<kDefaultConfig> beat;
+      int rest = choice;
+      for (auto* fraction :
+           {&beat.fine_fraction_x, &beat.fine_fraction_y, &beat.coarse_fraction_x, &beat.coarse_fraction_y}) {
+        *fraction = fraction->from_raw(kFractions[static_cast<std::size_t>(rest % 3)]);
+        rest /= 3;
+      }
+      beat.level_fraction = beat.level_fraction.from_raw(kFractions[static_cast<std::size_t>(rest)]);
+      int bit = 0;
+      for (auto* texel : {&beat.fine_00, &beat.fine_10, &beat.fine_01, &beat.fine_11, &beat.coarse_00, &beat.coarse_10,
+                          &beat.coarse_01, &beat.coarse_11}) {
+        for (auto& channel : *texel) channel = channel.from_raw((pattern >> bit) % 2 != 0 ? 4095 : 0);
+        ++bit;
+      }
+      beat.linear = beat.linear.from_raw(1);
+      for (int kernel = 0; kernel < 2; ++kernel) {
+        State state;
+        state.kernel = state.kernel.from_raw(kernel);
+        const auto got = filter<kDefaultConfig>(beat, state);
+        const auto want = oracle::filter(beat, state);
+        ASSERT_TRUE(same(got, want)) << mismatch(got, want, beat, state);
+      }
+    }
+  }
+}
+
+// 1,000,000 pixels of one to sixteen probes: the running sum against the exact rational sum, rounded once (GMP).
+TEST(model_accumulate, equals_exact_arithmetic) {
+  const SeedTrace trace(__FILE__, __LINE__);
+  Random random = random_for("model_accumulate.equals_exact_arithmetic");
+  Accumulator<kDefaultConfig> sum{};  // never cleared: `first` does it
+  for (int i = 0; i < 1000000; ++i) {
+    const int probes = static_cast<int>(random.between(1, 16));
+    const auto& weights =
+        oracle::tables().weight[static_cast<std::size_t>(random.one_in(2) ? 60 + probes : 4 * probes - 4)];
+    std::vector<FilterBeat<kDefaultConfig>> beats(static_cast<std::size_t>(probes));
+    const bool ties = random.one_in(4);
+    for (int p = 0; p < probes; ++p) {
+      auto& beat = beats[static_cast<std::size_t>(p)];
+      beat.first = beat.first.from_raw(p == 0);
+      beat.last = beat.last.from_raw(p == probes - 1);
+      const int n = 2 * p - (probes - 1);
+      beat.weight = beat.weight.from_raw(weights[static_cast<std::size_t>((std::abs(n) + 1) / 2)]);
+      for (auto& channel : beat.colour) {
+        const auto raw = static_cast<std::int64_t>(random.bits() >> 28) % (std::int64_t{255} << 28);
+        channel = channel.from_raw(ties ? raw >> 19 << 19 : raw);
+      }
+    }
+    std::optional<AccumulateBeat<kDefaultConfig>> got;
+    for (const auto& beat : beats) {
+      ASSERT_FALSE(got.has_value());
+      got = accumulate<kDefaultConfig>(beat, sum);
+    }
+    ASSERT_TRUE(got.has_value());
+    const auto want = oracle::accumulate(beats);
+    ASSERT_TRUE(same(*got, want)) << mismatch(*got, want, beats.front(), beats.back());
+    if (i % 100 != 0) continue;
+    for (std::size_t c = 0; c < 4; ++c) {
+      mpq_class exact = 0;
+      for (const auto& beat : beats)
+        exact += mpq_class(beat.weight.raw(), 256) * mpq_class(mpz_class(beat.colour[c].raw()), mpz_class(1) << 28);
+      const mpq_class scaled = exact * 256 + mpq_class(1, 2);
+      mpz_class whole;
+      mpz_fdiv_q(whole.get_mpz_t(), scaled.get_num_mpz_t(), scaled.get_den_mpz_t());
+      ASSERT_EQ(got->colour[c].raw(), whole.get_si());
+    }
+  }
+}
+
+// The whole unit, 300,000 lookups of every kind into every shape, format, mode and wrap, against the whole oracle.
+TEST(model_unit, equals_exact_arithmetic) {
+  const SeedTrace trace(__FILE__, __LINE__);
+  Random random = random_for("model_unit.equals_exact_arithmetic");
+  const auto scenes = make_scenes(random, Content::kNoise);
+  for (int i = 0; i < 300000; ++i) {
+    const Scene& scene = scenes[static_cast<std::size_t>(random.below(static_cast<std::int64_t>(scenes.size())))];
+    const State state = state_of(random, scene);
+    const auto request = make_request<kDefaultConfig>(
+        any_lookup(random, scene.texture.levels[0].width, scene.texture.levels[0].height), i);
+    const auto got = sample<kDefaultConfig>(request, state, scene.memory);
+    const auto want = oracle::sample(request, state, scene.texture);
+    ASSERT_TRUE(same(got, want)) << mismatch(got, want, request, state);
+  }
+}
+
+}  // namespace
+}  // namespace feline

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: Apache-2.0
+# The faults: the stage that must be named, what is broken, where, and how.
+
+feline_rom_fault(footprint ellipse 120 3)
+feline_rom_fault(footprint ellipse 200 29)
+feline_rom_fault(walk weight 279 0)
+feline_rom_fault(filter gaussian 77 0)
+feline_rom_fault(plan log2 150 0)
+feline_rom_fault(plan reciprocal 5 2)
+feline_rom_fault(fetch srgb 99 0)
+
+feline_fault(group outward_rounding_truncates feline_round_outward
+             "+ ResultWidth'(inexact)" "ResultWidth'(inexact)" "ResultWidth'(0)")
+feline_fault(group sign_lost feline_group_mantissas "negative_i[i] ? -magnitude" "negative_i[i]" "1'b0")
+feline_fault(group overflow_of_rounding_missed feline_group_mantissas
+             "assign halved   = too_large != '0" "too_large != '0" "1'b0")
+feline_fault(group coordinate_tie_goes_down feline_float_to_position
+             "SignificandWidth'(halves[0])" "SignificandWidth'(halves[0])" "SignificandWidth'(0)")
+feline_fault(group saturation_one_octave_late feline_float_to_position
+             "exponent >= SaturationExponent" "exponent >= SaturationExponent" "exponent > SaturationExponent")
+feline_fault(group not_a_number_unseen feline_float_to_position
+             "fraction != '0;" "fraction != '0" "1'b0")
+
+feline_fault(footprint tie_goes_to_x feline_longer_vector
+             "x_length > y_length" "x_length > y_length" "x_length >= y_length")
+feline_fault(footprint length_takes_smaller_part feline_length "flat > steep" "flat > steep" "flat < steep")
+feline_fault(footprint rotation_as_printed feline_table_footprint
+             "assign major_v_o = VectorWidth'(longer_v_i) * doubled + VectorWidth'(longer_u_i)"
+             "VectorWidth'(longer_u_i)" "VectorWidth'(longer_v_i)")
+feline_fault(footprint turn_the_other_way feline_table_place
+             "x_is_longer_i ^ cross_i[ProductWidth-1]" "x_is_longer_i" "!x_is_longer_i")
+feline_fault(footprint radius_rounds_down feline_table_footprint
+             "(MajorWidth'(1) << (ScaleBits - 1))" "(MajorWidth'(1) << (ScaleBits - 1))" "MajorWidth'(0)")
+feline_fault(footprint tangent_tie feline_table_place
+             "cross_size < dot_size" "cross_size < dot_size" "cross_size <= dot_size")
+
+feline_fault(walk probes_run_the_other_way feline_probe_position
+             "half_step_i * n_i" "half_step_i * n_i" "half_step_i * -n_i")
+feline_fault(walk column_one_low feline_walk
+             "(distance + StepWidth'(1)) >> 1" "(distance + StepWidth'(1))" "(distance)")
+
+feline_fault(address clamp_at_one feline_wrap "whole > 0 ? One" "whole > 0" "whole > 1")
+feline_fault(address mirror_not_turned feline_wrap
+             "position_i[Fraction] ? One - repeated" "One - repeated" "repeated")
+feline_fault(address repeat_wraps_to_wrong_end feline_axis_texels
+             "below == (wrap_i == feline_pkg::WrapRepeat)" "wrap_i == feline_pkg::WrapRepeat"
+             "wrap_i == feline_pkg::WrapMirroredRepeat")
+feline_fault(address last_texel_is_outside feline_axis_texels
+             "index >= $signed(LowWidth'(size_i))" "index >= $signed(LowWidth'(size_i))"
+             "index > $signed(LowWidth'(size_i))")
+feline_fault(address fraction_rounds_down feline_texel_coordinate
+             "HalfUlp - HalfTexel" "HalfUlp - HalfTexel" "-HalfTexel")
+
+feline_fault(fetch tag_ignored feline_tile_cache
+             "valid_q[set] && line_q[set] == line_i[i*LineWidth +: LineWidth]"
+             "line_q[set] == line_i[i*LineWidth +: LineWidth]" "1'b1")
+feline_fault(fetch wrong_texel_of_word feline_decode_texel
+             "word_i[column_i*CodeWidth +: CodeWidth]" "column_i" "column_i ^ 2'd1")
+
+feline_fault(filter weight_of_wrong_texel feline_interpolate
+             "$signed({1'b0, b_i}) - $signed({1'b0, a_i})" "$signed({1'b0, b_i})" "$signed({1'b0, b_i}) + 1")
+feline_fault(filter gaussian_on_nearest_texels feline_filter
+             "feline_pkg::KernelGaussian && fetch_i.linear" "fetch_i.linear" "1'b1")
+
+feline_fault(accumulate sum_not_rounded feline_accumulate "weighted_q.first ? Half" "Half" "SumWidth'(0)")
+feline_fault(accumulate sum_not_started_anew feline_accumulate "weighted_q.first ?" "weighted_q.first" "1'b0")

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: Apache-2.0
+# A copy of the RTL in which any one of a list of faults can be switched on at run time: feline_faulty.
+# Each fault replaces an expression by (feline_fault() == number ? mutant : original). An original that is not there
+# exactly once stops the configuration, so that no fault silently goes away when the RTL changes.
+
+set(FAULTY_DIR ${CMAKE_BINARY_DIR}/faulty)
+file(REMOVE_RECURSE ${FAULTY_DIR})
+file(MAKE_DIRECTORY ${FAULTY_DIR})
+foreach(file IN LISTS RTL_FILES)
+  get_filename_component(name ${file} NAME)
+  file(READ ${file} text)
+  file(WRITE ${FAULTY_DIR}/${name} "${text}")
+endforeach()
+file(WRITE ${FAULTY_DIR}/feline_fault_pkg.sv
+"package feline_fault_pkg;\n  import \"DPI-C\" pure function int feline_fault();\nendpackage\n")
+set(FAULT_COUNT 0)
+set(FAULT_TABLE "")
+
+function(feline_replace_once file original replacement)
+  file(READ ${FAULTY_DIR}/${file}.sv text)
+  string(FIND "${text}" "${original}" first)
+  string(FIND "${text}" "${original}" last REVERSE)
+  if(first EQUAL -1 OR NOT first EQUAL last)
+    message(FATAL_ERROR "tests/rtl/faults.cmake: ${file}.sv must hold exactly once: ${original}")
+  endif()
+  string(REPLACE "${original}" "${replacement}" text "${text}")
+  file(WRITE ${FAULTY_DIR}/${file}.sv "${text}")
+endfunction()
+
+macro(feline_count_fault stage what)
+  math(EXPR FAULT_COUNT "${FAULT_COUNT} + 1")
+  string(APPEND FAULT_TABLE "    {${FAULT_COUNT}, \"${stage}\", \"${what}\"},\n")
+endmacro()
+
+# feline_fault(stage what file context original mutant): `context` holds `original` once and shows where it is.
+function(feline_fault stage what file context original mutant)
+  feline_count_fault(${stage} ${what})
+  string(REPLACE "${original}" "(feline_fault_pkg::feline_fault() == ${FAULT_COUNT} ? (${mutant}) : (${original}))" changed
+         "${context}")
+  feline_replace_once(${file} "${context}" "${changed}")
+  set(FAULT_COUNT ${FAULT_COUNT} PARENT_SCOPE)
+  set(FAULT_TABLE "${FAULT_TABLE}" PARENT_SCOPE)
+endfunction()
+
+# One bit of one word of a ROM.
+function(feline_rom_fault stage rom word bit)
+  feline_count_fault(${stage} rom_${rom}_word_${word}_bit_${bit})
+  file(READ ${FAULTY_DIR}/feline_rom_${rom}.sv text)
+  if(NOT text MATCHES "'d${word}: data_o = ([0-9]+)'h([0-9a-f]+)")
+    message(FATAL_ERROR "tests/rtl/faults.cmake: feline_rom_${rom}.sv has no word ${word}")
+  endif()
+  set(literal "${CMAKE_MATCH_1}'h${CMAKE_MATCH_2}")
+  set(mask "(${CMAKE_MATCH_1}'d1 << ${bit})")
+  feline_replace_once(feline_rom_${rom} "'d${word}: data_o = ${literal}"
+    "'d${word}: data_o = ${literal} ^ (feline_fault_pkg::feline_fault() == ${FAULT_COUNT} ? ${mask} : '0)")
+  set(FAULT_COUNT ${FAULT_COUNT} PARENT_SCOPE)
+  set(FAULT_TABLE "${FAULT_TABLE}" PARENT_SCOPE)
+endfunction()
+
+include(tests/rtl/fault_list.cmake)
+
+file(WRITE ${FAULTY_DIR}/fault_table.inc "${FAULT_TABLE}")
+list(TRANSFORM RTL_FILES REPLACE ".*/" "${FAULTY_DIR}/" OUTPUT_VARIABLE FAULTY_FILES)
+# Mutants need not be lint-clean.
+feline_verilated(feline_faulty tests/rtl/faulty_unit.cpp -O1 WARNINGS -Wno-lint FILES ${FAULTY_DIR}/feline_fault_pkg.sv ${FAULTY_FILES})
+target_include_directories(feline_faulty PUBLIC ${FAULTY_DIR})

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/rtl/faulty_unit.h"
+
+#include <Vfeline_faulty.h>
+
+#include "testbench/cosim/verilated_unit.h"
+
+namespace {
+thread_local int current_fault = 0;
+}
+
+// Called from the RTL (DPI-C).
+extern "C" int feline_fault() { return current_fault; }
+
+namespace feline {
+
+void set_fault(int number) { current_fault = number; }
+
+std::unique_ptr<RtlUnit> make_faulty_unit(std::uint64_t seed) {
+  return std::make_unique<VerilatedUnit<Vfeline_faulty>>(seed);
+}
+
+}  // namespace feline

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "model/footprint.h"
+#include "tests/support/footprints.h"
+
+namespace feline {
+
+// How far the radii of footprint can be from those of the derivatives that group rounded outward to a quadruple. The
+// derivatives lie anywhere in a box of one unit towards zero in each component; their radii are homogeneous functions:
+// Simple's own with exact components, for Table the singular values of the matrix. An effective radius is
+// max(minor, kLeastLine * major): plan widens the minor radius to 2/(maxProbes + 1) * lengthFactor of the major one.
+inline constexpr double kLeastLine = 2.0 / 17 * 0.9625;
+
+struct RatioBounds {
+  double major_low = 1, major_high = 1;  // of stored to real, 1 included
+  double effective_low = 1, effective_high = 1;
+
+  void include(const RatioBounds& other) {
+    major_low = std::min(major_low, other.major_low);
+    major_high = std::max(major_high, other.major_high);
+    effective_low = std::min(effective_low, other.effective_low);
+    effective_high = std::max(effective_high, other.effective_high);
+  }
+  double low() const { return std::min(major_low, effective_low); }
+  double high() const { return std::max(major_high, effective_high); }
+};
+
+struct RadiusRange {
+  double major_low, major_high, minor_low, minor_high;
+};
+
+struct Span {
+  double low, high;  // of a magnitude
+};
+inline double length_of(double u, double v) {
+  const double a = std::max(u, v);
+  const double b = std::min(u, v);
+  return std::max(a + b * (5.0 / 32), a * (109.0 / 128) + b * (35.0 / 64));
+}
+
+// |x + y| for x and y within their boxes.
+inline Span sum_span(std::int64_t x, std::int64_t y) {
+  const auto low = [](std::int64_t q) { return static_cast<double>(q > 0 ? q - 1 : q); };
+  const auto high = [](std::int64_t q) { return static_cast<double>(q < 0 ? q + 1 : q); };
+  const double from = low(x) + low(y);
+  const double to = high(x) + high(y);
+  const double nearest = from <= 0 && to >= 0 ? 0 : std::min(std::abs(from), std::abs(to));
+  return {nearest, std::max(std::abs(from), std::abs(to))};
+}
+
+// Unlike the paper's, this length grows with each component, so its extremes are at the ends of the spans.
+inline RadiusRange simple_range(const Quad& q) {
+  const auto vector = [](Span u, Span v) { return Span{length_of(u.low, v.low), length_of(u.high, v.high)}; };
+  const Span x = vector(sum_span(q.dudx, 0), sum_span(q.dvdx, 0));
+  const Span y = vector(sum_span(q.dudy, 0), sum_span(q.dvdy, 0));
+  const Span sum = vector(sum_span(q.dudx, q.dudy), sum_span(q.dvdx, q.dvdy));
+  const Span difference = vector(sum_span(q.dudx, -q.dudy), sum_span(q.dvdx, -q.dvdy));
+  return {std::max(x.low, y.low), std::max(x.high, y.high), std::min({x.low, y.low, sum.low, difference.low}),
+          std::min({x.high, y.high, sum.high, difference.high})};
+}
+
+// A singular value moves by at most the norm of the change (Weyl): half the box's diagonal from its centre.
+inline RadiusRange table_range(const Quad& q) {
+  double reach = 0;
+  const auto centre = [&](std::int64_t value) {
+    if (value == 0) return 0.0;
+    reach += 0.25;
+    return static_cast<double>(value) - (value > 0 ? 0.5 : -0.5);
+  };
+  const double a = centre(q.dudx);
+  const double b = centre(q.dvdx);
+  const double c = centre(q.dudy);
+  const double d = centre(q.dvdy);
+  reach = std::sqrt(reach);
+  // Half the sum and half the difference of the singular values.
+  const double sum = std::sqrt((a + d) * (a + d) + (b - c) * (b - c)) / 2;
+  const double difference = std::sqrt((a - d) * (a - d) + (b + c) * (b + c)) / 2;
+  const double major = sum + difference;
+  const double minor = std::abs(sum - difference);
+  return {major - reach, major + reach, std::max(minor - reach, 0.0), minor + reach};
+}
+
+inline RatioBounds ratio_bounds(const FootprintBeat<kDefaultConfig>& held, const RadiusRange& real) {
+  const double major = held.major_radius.value();
+  const double effective = std::max(held.minor_radius.value(), kLeastLine * major);
+  return {major / real.major_high, major / real.major_low,
+          effective / std::max(real.minor_high, kLeastLine * real.major_high),
+          effective / std::max(real.minor_low, kLeastLine * real.major_low)};
+}
+
+}  // namespace feline

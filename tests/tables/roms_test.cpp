@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every word of every ROM against MPFR at 200 bits, and every stated error against one computed here.
+#include "tables/roms.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tables/config.h"
+#include "tables/formats.h"
+#include "tests/support/oracle.h"
+
+namespace feline {
+namespace {
+
+const Roms& machine() { return roms<kDefaultConfig>(); }
+
+template <typename Expected>
+void expect_words(const Rom& rom, const Expected& expected) {
+  ASSERT_EQ(rom.words.size(), expected.size()) << rom.name;
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_EQ(rom.words[i], static_cast<std::uint64_t>(expected[i])) << rom.name << " word " << i;
+    EXPECT_EQ(rom.words[i] >> rom.data_bits, 0U) << rom.name << " word " << i << " is wider than its ROM";
+  }
+}
+
+// The largest |word * 2^-fraction - real(i)| over words first .. and where.
+template <typename Function>
+void expect_error(const Rom& rom, int fraction_bits, std::size_t first, Function real) {
+  double worst = 0;
+  std::size_t where = 0;
+  for (std::size_t i = first; i < rom.words.size(); ++i) {
+    const double held = std::ldexp(static_cast<double>(rom.words[i]), -fraction_bits);
+    const double error = abs(Real(held) - real(static_cast<long>(i))).to_double();
+    if (error > worst * (1 + 1e-9)) {
+      worst = error;
+      where = i;
+    }
+  }
+  EXPECT_NEAR(rom.worst_error, worst, 1e-6 * worst) << rom.name;
+  EXPECT_EQ(rom.worst_word, where) << rom.name;
+}
+
+TEST(tables_roms, gaussian) {
+  expect_words(machine().gaussian, oracle::tables().gaussian);
+  // exp(-d^2) of the distances x and 1 - x: a logistic function of 1 - 2x.
+  expect_error(machine().gaussian, 8, 0,
+               [](long i) { return Real(1) / (Real(1) + exp(Real(1) - Real::ratio(2 * i, 256))); });
+}
+
+TEST(tables_roms, log2) {
+  expect_words(machine().log2, oracle::tables().log2);
+  expect_error(machine().log2, 8, 0, [](long i) { return log2(Real::ratio(256 + i, 256)); });
+}
+
+TEST(tables_roms, reciprocal) {
+  expect_words(machine().reciprocal, oracle::tables().reciprocal);
+  expect_error(machine().reciprocal, 16, 1, [](long k) { return Real::ratio(1, k); });
+}
+
+TEST(tables_roms, srgb) {
+  expect_words(machine().srgb, oracle::tables().srgb);
+  expect_error(machine().srgb, 4, 0, [](long code) {
+    if (code <= 10) return Real::ratio(code * 255 * 100, 255 * 1292);
+    return Real(255) * pow((Real::ratio(code, 255) + Real::ratio(11, 200)) / Real::ratio(211, 200), Real::ratio(12, 5));
+  });
+  // Known values: the ends, and 188, which is about half of the light.
+  EXPECT_EQ(machine().srgb.words[0], 0U);
+  EXPECT_EQ(machine().srgb.words[255], 255U * 16);
+  EXPECT_NEAR(static_cast<double>(machine().srgb.words[188]) / (255 * 16), 0.5029, 2e-4);
+}
+
+TEST(tables_roms, ellipse) {
+  std::array<std::uint64_t, 256> words{};
+  for (std::size_t i = 0; i < 256; ++i) {
+    for (const long value : oracle::tables().ellipse[i / 16][i % 16])
+      words[i] = words[i] << 8 | static_cast<std::uint64_t>(value);
+  }
+  expect_words(machine().ellipse, words);
+  const EllipseEntry entry = ellipse_entry(kDefaultConfig, 0x81020c7f);
+  EXPECT_EQ(entry.uv_scale, 0x81);
+  EXPECT_EQ(entry.uv_scale_90, 0x02);
+  EXPECT_EQ(entry.minor_radius, 0x0c);
+  EXPECT_EQ(entry.major_radius, 0x7f);
+}
+
+// Erratum 2: columns 8 to 15 run from 90 degrees to 45. Minor radii grow with the angle, so they fall along them.
+TEST(tables_roms, ellipse_columns_run_as_erratum_2_says) {
+  const auto minor = [](std::size_t row, std::size_t column) {
+    return ellipse_entry(kDefaultConfig, machine().ellipse.words[row * 16 + column]).minor_radius;
+  };
+  for (std::size_t row = 1; row < 16; ++row) {
+    for (std::size_t column = 0; column < 7; ++column) EXPECT_LE(minor(row, column), minor(row, column + 1)) << row;
+    for (std::size_t column = 8; column < 15; ++column) EXPECT_GE(minor(row, column), minor(row, column + 1)) << row;
+    EXPECT_GE(minor(row, 15), minor(row, 7)) << row;
+  }
+}
+
+TEST(tables_roms, weight) {
+  std::array<long, 693> words{};
+  for (std::size_t i = 0; i < words.size(); ++i) words[i] = oracle::tables().weight[i / 9][i % 9];
+  expect_words(machine().weight, words);
+  expect_error(machine().weight, 8, 0, [](long i) {
+    return Real(oracle::tables().weight_real[static_cast<std::size_t>(i / 9)][static_cast<std::size_t>(i % 9)]);
+  });
+}
+
+// Erratum 8: each row, by how often its probes use each column, sums to exactly one; unused columns hold 0.
+TEST(tables_roms, weight_rows_sum_to_one) {
+  for (int row = 0; row < 77; ++row) {
+    long sum = 0;
+    for (int column = 0; column < 9; ++column) {
+      const auto word = static_cast<long>(machine().weight.words[static_cast<std::size_t>(9 * row + column)]);
+      const int uses = oracle::weight_uses(oracle::probes_of_row(row), column);
+      sum += uses * word;
+      EXPECT_TRUE(uses != 0 || word == 0) << row << " " << column;
+    }
+    EXPECT_EQ(sum, 256) << row;
+  }
+}
+
+// The least worst error that whole weights of sum 256 can have, by trying all of floor - 1 .. floor + 2.
+double least_worst_error(int row) {
+  const int probes = oracle::probes_of_row(row);
+  const auto& real = oracle::tables().weight_real[static_cast<std::size_t>(row)];
+  constexpr int kWide = 600;
+  std::vector<double> best(kWide, 1e9);  // by sum
+  best[0] = 0;
+  for (int column = 0; column < 9; ++column) {
+    const int uses = oracle::weight_uses(probes, column);
+    if (uses == 0) continue;
+    std::vector<double> next(kWide, 1e9);
+    const double exact = real[static_cast<std::size_t>(column)] * 256;
+    for (int off = -1; off <= 2; ++off) {
+      const int weight = static_cast<int>(std::floor(exact)) + off;
+      if (weight < 0) continue;
+      for (int sum = 0; sum + uses * weight < kWide; ++sum) {
+        auto& at = next[static_cast<std::size_t>(sum + uses * weight)];
+        at = std::min(at, std::max(best[static_cast<std::size_t>(sum)], std::abs(weight - exact)));
+      }
+    }
+    best = next;
+  }
+  return best[256] / 256;
+}
+
+// weights.cpp calls its rounding the one of least worst error.
+TEST(tables_roms, weight_rows_have_the_least_worst_error) {
+  for (int row = 0; row < 77; ++row) {
+    double worst = 0;
+    for (int column = 0; column < 9; ++column) {
+      if (oracle::weight_uses(oracle::probes_of_row(row), column) == 0) continue;
+      const auto at = static_cast<std::size_t>(column);
+      const auto word = static_cast<double>(machine().weight.words[static_cast<std::size_t>(9 * row) + at]);
+      worst = std::max(worst, std::abs(word / 256 - oracle::tables().weight_real[static_cast<std::size_t>(row)][at]));
+    }
+    EXPECT_NEAR(worst, least_worst_error(row), 1e-6) << "row " << row;
+  }
+}
+
+}  // namespace
+}  // namespace feline

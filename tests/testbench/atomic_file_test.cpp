@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "testbench/atomic_file.h"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <string>
+
+#include "tests/testbench/temp_dir.h"
+
+namespace feline {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The largest file of this process while the object lives: a disk that is full after some bytes.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) : old_handler_(::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &old_);
+    rlimit limit = old_;
+    limit.rlim_cur = bytes;
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+  ~FileSizeLimit() {
+    ::setrlimit(RLIMIT_FSIZE, &old_);
+    ::signal(SIGXFSZ, old_handler_);
+  }
+
+ private:
+  rlimit old_{};
+  void (*old_handler_)(int);
+};
+
+TEST(testbench_atomic_file, writes_and_replaces) {
+  const TempDir dir;
+  write_file_atomically(dir / "a.txt", "first");
+  EXPECT_EQ(read_bytes(dir / "a.txt"), "first");
+  write_file_atomically(dir / "a.txt", "second, longer");
+  EXPECT_EQ(read_bytes(dir / "a.txt"), "second, longer");
+  write_file_atomically(dir / "a.txt", "");
+  EXPECT_EQ(read_bytes(dir / "a.txt"), "");
+  EXPECT_EQ(dir.file_count(), 1);
+}
+
+TEST(testbench_atomic_file, bare_name_goes_to_the_working_directory) {
+  const TempDir dir;
+  const fs::path before = fs::current_path();
+  fs::current_path(dir / "");
+  write_file_atomically("bare.txt", "here");
+  fs::current_path(before);
+  EXPECT_EQ(read_bytes(dir / "bare.txt"), "here");
+}
+
+TEST(testbench_atomic_file, permissions_follow_the_umask) {
+  const TempDir dir;
+  const mode_t mask = ::umask(022);
+  write_file_atomically(dir / "a.txt", "x");
+  ::umask(mask);
+  EXPECT_EQ(fs::status(dir / "a.txt").permissions(), fs::perms{0644});
+}
+
+TEST(testbench_atomic_file, symbolic_link_stays_a_link) {
+  const TempDir dir;
+  write_bytes(dir / "real.txt", "old");
+  fs::create_symlink(dir / "real.txt", dir / "link.txt");
+  write_file_atomically(dir / "link.txt", "new");
+  EXPECT_TRUE(fs::is_symlink(dir / "link.txt"));
+  EXPECT_EQ(read_bytes(dir / "real.txt"), "new");
+}
+
+TEST(testbench_atomic_file, missing_directory) {
+  const TempDir dir;
+  const fs::path target = dir / "none/a.txt";
+  EXPECT_EQ(input_error([&] { write_file_atomically(target, "x"); }),
+            target.string() + ": open: got No such file or directory, legal is a writable file on a disk with room");
+}
+
+TEST(testbench_atomic_file, unwritable_directory) {
+  const TempDir dir;
+  fs::create_directory(dir / "locked");
+  fs::permissions(dir / "locked", fs::perms::owner_read | fs::perms::owner_exec);
+  // Root may write anywhere; /proc refuses new files even to root.
+  const fs::path target = ::geteuid() == 0 ? fs::path("/proc/a.txt") : dir / "locked/a.txt";
+  const std::string message = input_error([&] { write_file_atomically(target, "x"); });
+  EXPECT_EQ(message.find(target.string() + ": open: got "), 0u) << message;
+  EXPECT_FALSE(fs::exists(target));
+}
+
+TEST(testbench_atomic_file, directory_as_target) {
+  const TempDir dir;
+  fs::create_directory(dir / "sub");
+  EXPECT_EQ(input_error([&] { write_file_atomically(dir / "sub", "x"); }),
+            (dir / "sub").string() + ": output: got a directory, legal is the path of a file");
+  EXPECT_EQ(dir.file_count(), 1);
+}
+
+TEST(testbench_atomic_file, full_device) {
+  EXPECT_EQ(input_error([] { write_file_atomically("/dev/full", "x"); }),
+            "/dev/full: write: got No space left on device, "
+            "legal is a writable file on a disk with room");
+  EXPECT_TRUE(fs::is_character_file("/dev/full"));
+}
+
+TEST(testbench_atomic_file, full_disk_leaves_nothing) {
+  const TempDir dir;
+  write_bytes(dir / "a.bin", "as before");
+  std::string message;
+  {
+    const FileSizeLimit limit(4096);
+    message = input_error([&] { write_file_atomically(dir / "a.bin", std::string(10000, 'x')); });
+  }
+  EXPECT_EQ(message,
+            (dir / "a.bin").string() + ": write: got File too large, legal is a writable file on a disk with room");
+  EXPECT_EQ(read_bytes(dir / "a.bin"), "as before");
+  EXPECT_EQ(dir.file_count(), 1);
+}
+
+TEST(testbench_atomic_file, temporary_is_beside_the_target) {
+  const TempDir dir;
+  AtomicFile file(dir / "wave.fst");
+  EXPECT_EQ(file.temporary().extension(), ".fst");
+  EXPECT_EQ(file.temporary().parent_path(), (dir / "wave.fst").parent_path());
+  EXPECT_FALSE(fs::exists(dir / "wave.fst"));
+  write_bytes(file.temporary(), "bits");
+  file.commit();
+  EXPECT_EQ(read_bytes(dir / "wave.fst"), "bits");
+  EXPECT_FALSE(fs::exists(file.temporary()));
+}
+
+TEST(testbench_atomic_file, uncommitted_temporary_is_removed) {
+  const TempDir dir;
+  {
+    const AtomicFile file(dir / "wave.fst");
+    write_bytes(file.temporary(), "half");
+    EXPECT_EQ(dir.file_count(), 1);
+  }
+  EXPECT_EQ(dir.file_count(), 0);
+}
+
+TEST(testbench_atomic_file, device_cannot_be_renamed_over) {
+  EXPECT_EQ(input_error([] { AtomicFile("/dev/null"); }),
+            "/dev/null: output: got a device or a pipe, legal is the path of a regular file");
+}
+
+}  // namespace
+}  // namespace feline

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+// RTL against model through the bench: every scene and choice in small pictures, and every kind of texture.
+#include <gtest/gtest.h>
+
+#include "testbench/cosim/job.h"
+#include "testbench/cosim/random_batches.h"
+#include "testbench/random.h"
+#include "testbench/scenes/scene.h"
+
+namespace feline {
+namespace {
+
+// A lookup job that owns what it refers to.
+struct Case {
+  Texture texture;
+  TextureMemory memory;
+  std::vector<Lookup> lookups;
+
+  CosimJob job(const SamplerOptions& options, const Timing& timing) const {
+    CosimJob made;
+    made.scene = "test";
+    made.timing = timing;
+    made.command = "feline cosim";
+    made.lookups = made.batch_lookups = lookups.size();
+    made.batch = [this, sampler = make_sampler<kUnit>(options, texture, memory)](std::uint64_t) {
+      return Batch{sampler, &memory, lookups, 0};
+    };
+    return made;
+  }
+};
+
+CosimResult run(const Case& subject, const SamplerOptions& options, const Timing& timing = {5, 0.2, 1}) {
+  CosimResult result = run_job(subject.job(options, timing), make_fast_unit, {}, std::nullopt, true, nullptr);
+  EXPECT_EQ(result.mismatches, 0U) << result.message;
+  EXPECT_EQ(result.lookups, subject.lookups.size());
+  EXPECT_EQ(result.beats[static_cast<std::size_t>(Stage::kFetch)], result.probes);
+  return result;
+}
+
+Case scene_case(const Scene& scene, int width, int height) {
+  Case made;
+  made.texture = scene.texture();
+  made.memory = layout_texture(made.texture);
+  made.lookups = make_gbuffer(scene, width, height).lookups;
+  return made;
+}
+
+// Noise of any size, and lookups whose footprints and positions suit it.
+Case noise_case(int width, int height, TexelFormat format, bool srgb, std::uint64_t seed) {
+  Random random(seed);
+  Case made;
+  made.texture.format = format;
+  made.texture.srgb = srgb;
+  for (int k = 0; k < mip_count(width, height); ++k) {
+    MipLevel level{mip_size(width, k), mip_size(height, k), {}};
+    level.texels.resize(static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height) *
+                        static_cast<std::size_t>(bytes_per_texel(format)));
+    for (auto& byte : level.texels) byte = static_cast<std::uint8_t>(random.below(256));
+    made.texture.levels.push_back(std::move(level));
+  }
+  made.memory = layout_texture(made.texture);
+  for (int i = 0; i < 400; ++i) {
+    const auto near = [&](double scale) { return static_cast<float>(scale * (2 * random.unit() - 1)); };
+    const double texels = 0.1 * (1 << random.below(11));
+    made.lookups.push_back({near(2.5), near(2.5), near(texels / width), near(texels / height), near(texels / width / 4),
+                            near(texels / height / 4)});
+  }
+  return made;
+}
+
+TEST(cosim, every_scene_mode_kernel_and_wrap) {
+  for (const Scene& scene : scenes()) {
+    const Case subject = scene_case(scene, 20, 12);
+    for (std::size_t choice = 0; choice < kModeNames.size() * 2 * 4; ++choice) {
+      SamplerOptions options;
+      options.mode = static_cast<Mode>(choice / 8);
+      options.kernel = static_cast<Kernel>(choice / 4 % 2);
+      options.wrap_s = static_cast<Wrap>(choice % 4);
+      options.wrap_t = static_cast<Wrap>((choice + 1) % 4);
+      SCOPED_TRACE(std::string(scene.name) + ", choice " + std::to_string(choice));
+      run(subject, options);
+    }
+  }
+}
+
+TEST(cosim, every_size_format_and_wrap) {
+  constexpr std::array<std::array<int, 2>, 10> kSizes{
+      {{1, 1}, {1, 37}, {64, 1}, {5, 3}, {33, 20}, {128, 128}, {16384, 1}, {16384, 3}, {2, 16383}, {100, 7}}};
+  std::uint64_t seed = 1;
+  for (const auto& [width, height] : kSizes) {
+    for (std::size_t choice = 0; choice < 12; ++choice) {
+      const Case subject = noise_case(width, height, static_cast<TexelFormat>(choice % 3), choice % 2 == 0, seed++);
+      SamplerOptions options;
+      options.wrap_s = static_cast<Wrap>(choice % 4);
+      options.wrap_t = static_cast<Wrap>(choice / 3);
+      options.border = {0.25, 1, 0, 0.5};
+      SCOPED_TRACE(std::to_string(width) + " x " + std::to_string(height) + ", choice " + std::to_string(choice));
+      run(subject, options);
+    }
+  }
+}
+
+TEST(cosim, parameter_sets_bias_and_level_limits) {
+  const Case subject = noise_case(96, 64, TexelFormat::kRgba8, true, 7);
+  for (const ProbeParameters& probes : {kExact, kHighQuality, kHighEfficiency}) {
+    for (const int max_probes : {1, 2, 7, 16}) {
+      SamplerOptions options;
+      options.probes = probes;
+      options.max_probes = max_probes;
+      options.level_bias = max_probes / 4.0 - 1;
+      options.min_level = max_probes == 2 ? 1.5 : 0;
+      options.max_level = max_probes == 7 ? 2.25 : 15;
+      options.magnify = max_probes == 1 ? Magnify::kNearest : Magnify::kLinear;
+      run(subject, options);
+    }
+  }
+}
+
+TEST(cosim, random_lookups) {
+  RandomBatches batches(1, 256);
+  constexpr std::uint64_t kLookups = 20000;
+  CosimJob job;
+  job.timing = {3, 0.3, 1};
+  job.command = "feline cosim";
+  job.lookups = kLookups;
+  job.batch_lookups = 256;
+  job.batch = [&](std::uint64_t number) { return batches.make(number, kLookups); };
+  const CosimResult result = run_job(job, make_fast_unit, {}, std::nullopt, false, nullptr);
+  EXPECT_EQ(result.mismatches, 0U) << result.message;
+  EXPECT_EQ(result.lookups, kLookups);
+}
+
+TEST(cosim, timing_changes_no_pixel) {
+  const Case subject = scene_case(find_scene("window"), 24, 16);
+  const CosimResult quick = run(subject, {}, {1, 0, 1});
+  const CosimResult slow = run(subject, {}, {200, 0.5, 99});
+  ASSERT_EQ(quick.pixels.size(), slow.pixels.size());
+  for (std::size_t i = 0; i < quick.pixels.size(); ++i) EXPECT_EQ(quick.pixels[i].colour, slow.pixels[i].colour);
+  EXPECT_GT(slow.cycles, 2 * quick.cycles);
+  EXPECT_EQ(quick.cycles, run(subject, {}, {1, 0, 1}).cycles) << "the same run twice takes the same cycles";
+}
+
+TEST(cosim, one_probe_a_cycle_when_lines_hit) {
+  // Everything within one 16 x 16 texture: each line misses once.
+  Case subject = noise_case(16, 16, TexelFormat::kRgba8, false, 3);
+  while (subject.lookups.size() < 20000) subject.lookups.push_back(subject.lookups[subject.lookups.size() % 400]);
+  for (auto& lookup : subject.lookups) lookup.s = std::abs(lookup.s) / 8 + 0.25F;
+  for (auto& lookup : subject.lookups) lookup.t = std::abs(lookup.t) / 8 + 0.25F;
+  const CosimResult result = run(subject, {}, {1, 0, 1});
+  constexpr std::uint64_t kFillAndMisses = 400;
+  EXPECT_LE(result.cycles, result.probes + kFillAndMisses);
+}
+
+TEST(cosim, replay_is_the_lookup_alone) {
+  const Case subject = scene_case(find_scene("bricks"), 16, 16);
+  const CosimResult result =
+      run_job(subject.job({}, {1, 0, 1}), make_fast_unit, {}, ReplayRange{37, 39}, true, nullptr);
+  EXPECT_EQ(result.mismatches, 0U);
+  ASSERT_EQ(result.pixels.size(), 3U);
+  const CosimResult all = run(subject, {});
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(result.pixels[i].colour, all.pixels[37 + i].colour);
+}
+
+}  // namespace
+}  // namespace feline

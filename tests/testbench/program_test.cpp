@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program as a user meets it: exit codes, messages, and no partial file after wrong input.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "testbench/gbuffer.h"
+#include "tests/testbench/temp_dir.h"
+
+namespace feline {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+  int code = -1;
+  std::string text;  // standard output and error
+};
+
+Outcome run(const std::string& arguments, const std::string& before = "") {
+  const std::string command = before + " " FELINE_PROGRAM " " + arguments + " 2>&1";
+  FILE* const pipe = ::popen(command.c_str(), "r");
+  if (pipe == nullptr) throw std::runtime_error("popen failed");
+  Outcome outcome;
+  std::array<char, 4096> buffer{};
+  while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe))
+    outcome.text.append(buffer.data(), count);
+  const int status = ::pclose(pipe);
+  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return outcome;
+}
+
+// Wrong input: exit code 2, a message that holds all of `parts`, and nothing new in the directory.
+void expect_refused(const TempDir& dir, const std::string& arguments, const std::vector<std::string>& parts,
+                    const std::string& before = "") {
+  const auto files = dir.file_count();
+  const Outcome outcome = run(arguments, before);
+  EXPECT_EQ(outcome.code, 2) << arguments << "\n" << outcome.text;
+  for (const std::string& part : parts) {
+    EXPECT_NE(outcome.text.find(part), std::string::npos) << arguments << ": no \"" << part << "\" in\n"
+                                                          << outcome.text;
+  }
+  EXPECT_EQ(dir.file_count(), files) << arguments;
+}
+
+std::string path(const TempDir& dir, const char* name) { return (dir / name).string(); }
+
+TEST(program, help_shows_an_example) {
+  for (const char* const command : {"tables", "scene", "render", "explain", "vectors", "cosim"}) {
+    const Outcome outcome = run(std::string(command) + " --help");
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_NE(outcome.text.find("Example: feline " + std::string(command)), std::string::npos) << outcome.text;
+  }
+}
+
+TEST(program, unknown_use) {
+  const TempDir dir;
+  expect_refused(dir, "", {"subcommand is required"});
+  expect_refused(dir, "paint", {"paint"});
+  expect_refused(dir, "cosim --fast", {"--fast"});
+  expect_refused(dir, "render --mode fancy --output " + path(dir, "a.png"),
+                 {"--mode", "fancy", "nearest, bilinear, trilinear"});
+  expect_refused(dir, "render --kernel box --output " + path(dir, "a.png"), {"--kernel", "box", "bilinear, gaussian"});
+  expect_refused(dir, "render --scene moon --output " + path(dir, "a.png"), {"moon", "bricks"});
+  expect_refused(dir, "render --engine gpu --output " + path(dir, "a.png"), {"--engine", "gpu", "model, rtl"});
+}
+
+TEST(program, values_out_of_range) {
+  const TempDir dir;
+  const std::string output = " --output " + path(dir, "a.png");
+  expect_refused(dir, "render --size 0" + output, {"--size", "0", "1 to 16384"});
+  expect_refused(dir, "render --size 16385x4" + output, {"16385x4", "1 to 16384"});
+  expect_refused(dir, "render --size 12cats" + output, {"12cats"});
+  expect_refused(dir, "render --max-probes 17 --size 8" + output, {"maxProbes", "17", "1 to 16"});
+  expect_refused(dir, "render --bias nan --size 8" + output, {"level bias", "nan", "-16 to"});
+  expect_refused(dir, "render --alias-factor 3 --size 8" + output, {"aliasFactor", "3", "1 to 2"});
+  expect_refused(dir, "cosim --stalls 1 --size 8", {"--stalls", "1", "0 to 0.95"});
+  expect_refused(dir, "cosim --memory-latency 0 --size 8", {"--memory-latency", "0", "1 to"});
+  expect_refused(dir, "cosim --size 8 --replay 64", {"--replay", "64", "0 to 63"});
+  expect_refused(dir, "explain --scene bricks --size 8 --pixel 8,0", {"--pixel", "8,0", "7,7"});
+}
+
+TEST(program, images_that_cannot_be_read) {
+  const TempDir dir;
+  const std::string output = " --size 8 --output " + path(dir, "a.png");
+  expect_refused(dir, "render --texture " + path(dir, "none.png") + output, {"none.png"});
+  std::ofstream(dir / "corrupt.png") << "this is not a picture";
+  expect_refused(dir, "render --texture " + path(dir, "corrupt.png") + output, {"corrupt.png"});
+}
+
+TEST(program, gbuffers_that_cannot_be_read) {
+  const TempDir dir;
+  const std::string texture = " --scene bricks --output " + path(dir, "a.png");
+  expect_refused(dir, "render --gbuffer " + path(dir, "none.exr") + texture, {"none.exr"});
+  GBuffer gbuffer{4, 2, std::vector<Lookup>(8)};
+  gbuffer.lookups[5].dtdx = std::numeric_limits<float>::quiet_NaN();
+  write_gbuffer(dir / "nan.exr", gbuffer);
+  expect_refused(dir, "render --gbuffer " + path(dir, "nan.exr") + texture, {"nan.exr", "dtdx", "1, 1", "nan"});
+  EXPECT_EQ(run("render --allow-non-finite --gbuffer " + path(dir, "nan.exr") + texture).code, 0);
+  ASSERT_EQ(std::system(("oiiotool --create 4x4 3 -d float -o " + path(dir, "rgb.exr")).c_str()), 0);
+  expect_refused(dir, "render --gbuffer " + path(dir, "rgb.exr") + texture, {"rgb.exr", "s, t, dsdx"});
+  expect_refused(dir, "render --gbuffer " + path(dir, "nan.exr") + " --output " + path(dir, "b.png"), {"--texture"});
+}
+
+TEST(program, outputs_that_cannot_be_written) {
+  const TempDir dir;
+  expect_refused(dir, "render --size 64 --output /nonexistent/a.png", {"/nonexistent"});
+  expect_refused(dir, "render --size 64 --output /dev/full", {"/dev/full", "No space left"});
+  expect_refused(dir, "render --size 256 --output " + path(dir, "big.png"), {"big.png", "File too large"},
+                 "ulimit -f 4;");
+  expect_refused(dir, "scene --output /nonexistent", {"--output", "directory"});
+  expect_refused(dir, "vectors --output /nonexistent", {"--output", "directory"});
+  expect_refused(dir, "tables --output /nonexistent", {"--output", "directory"});
+  expect_refused(dir, "cosim --size 8 --output /nonexistent", {"--output", "directory"});
+}
+
+TEST(program, explain_shows_the_papers_example) {
+  const Outcome simple = run("explain --derivatives 13,0,12,5 --size 256x256 --mode simple");
+  EXPECT_EQ(simple.code, 0);
+  const auto line = [&](const std::string& start) {
+    const std::size_t at = simple.text.find("\n" + start);
+    return at == std::string::npos ? "" : simple.text.substr(at + 1, simple.text.find('\n', at + 1) - at - 1);
+  };
+  EXPECT_NE(line("ideal ").find("18.028"), std::string::npos) << simple.text;
+  EXPECT_NE(line("ideal ").find("3.606"), std::string::npos);
+  EXPECT_NE(line("ideal ").find(" 9 "), std::string::npos) << line("ideal ");
+  EXPECT_NE(line("simple ").find(" 4 "), std::string::npos) << line("simple ");
+  EXPECT_NE(line("table ").find(" 9 "), std::string::npos) << line("table ");
+  for (const char* const stage : {"group", "footprint", "plan", "walk", "address", "fetch", "filter", "accumulate"}) {
+    EXPECT_NE(simple.text.find(std::string("\n") + stage + "\n"), std::string::npos) << stage;
+  }
+}
+
+TEST(program, scene_and_gbuffer_are_the_same_picture) {
+  const TempDir dir;
+  ASSERT_EQ(run("scene --scene text --size 40x30 --output " + path(dir, "")).code, 0);
+  ASSERT_EQ(run("render --scene text --size 40x30 --mip-filter box --output " + path(dir, "scene.png")).code, 0);
+  ASSERT_EQ(run("render --scene text --mip-filter box --gbuffer " + path(dir, "text.exr") + " --output " +
+                path(dir, "file.png"))
+                .code,
+            0);
+  EXPECT_EQ(read_bytes(dir / "scene.png"), read_bytes(dir / "file.png"));
+}
+
+TEST(program, cosim_json_has_the_figures) {
+  const Outcome outcome = run("cosim --scene window --mode table --size 24x16 --stalls 0.3 --seed 9 --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.text;
+  const auto json = nlohmann::json::parse(outcome.text);
+  EXPECT_EQ(json["scene"], "window");
+  EXPECT_EQ(json["mode"], "table");
+  EXPECT_EQ(json["lookups"], 24 * 16);
+  EXPECT_EQ(json["mismatches"], 0);
+  EXPECT_EQ(json["seed"], 9);
+  EXPECT_EQ(json["beats"].size(), 8U);
+  EXPECT_EQ(json["beats"]["walk"], json["probes"]);
+  EXPECT_EQ(json["beats"]["accumulate"], json["lookups"]);
+  EXPECT_GT(json["cycles"], json["probes"]);
+  EXPECT_GT(json["seconds"], 0.0);
+}
+
+TEST(program, same_input_same_bytes) {
+  const TempDir dir;
+  for (const char* const name : {"a", "b"}) {
+    ASSERT_EQ(::mkdir(path(dir, name).c_str(), 0700), 0);
+    ASSERT_EQ(run("vectors --stage unit --random 20 --seed 3 --output " + path(dir, name)).code, 0);
+  }
+  for (const char* const file : {"request", "plan", "fetch", "accumulate", "sampler", "memory"}) {
+    const std::string left = read_bytes(dir / ("a/" + std::string(file) + ".hex"));
+    EXPECT_FALSE(left.empty());
+    EXPECT_EQ(left, read_bytes(dir / ("b/" + std::string(file) + ".hex")));
+  }
+}
+
+}  // namespace
+}  // namespace feline

@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: Apache-2.0
+# One binary a room. Test suites are named after stages and files, so that ctest names read room.stage.case and
+# `ctest -R '\.plan\.'` is one stage's whole story. Suites ending in _long carry the label long.
+include(GoogleTest)
+
+function(feline_tests room)
+  file(GLOB sources CONFIGURE_DEPENDS tests/${room}/*_test.cpp)
+  add_executable(${room}_test ${sources} ${TESTS_SUPPORT})
+  target_compile_options(${room}_test PRIVATE ${FELINE_WARNINGS})
+  target_compile_definitions(${room}_test PRIVATE FELINE_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
+                                                  FELINE_PROGRAM="$<TARGET_FILE:feline>")
+  target_link_libraries(${room}_test PRIVATE ${ARGN} GTest::gtest GTest::gtest_main mpfr gmpxx gmp)
+  gtest_discover_tests(${room}_test TEST_PREFIX ${room}. TEST_FILTER "-*_long.*" DISCOVERY_MODE PRE_TEST)
+  gtest_discover_tests(${room}_test TEST_PREFIX ${room}. TEST_FILTER "*_long.*" TEST_SUFFIX .long TEST_LIST ${room}_long
+                       DISCOVERY_MODE PRE_TEST PROPERTIES LABELS long)
+endfunction()
+
+file(GLOB TESTS_SUPPORT CONFIGURE_DEPENDS tests/support/*.cpp)
+feline_tests(tables feline_tables)
+feline_tests(model feline_model)
+feline_tests(testbench feline_bench)
+add_dependencies(testbench_test feline)
+
+include(tests/rtl/faults.cmake)
+feline_tests(rtl feline_bench feline_faulty)
