@@ -48,14 +48,14 @@ Fixed<Formats<kConfig>::kPosition> to_position(std::int64_t bits, Wrap wrap) {
   // The significand's unit is 2^(exponent - 150).
   const int left = parts.exponent - 150 + F::kPositionFraction;
   constexpr int kWidth = F::kPosition.width();
-  std::int64_t magnitude = 0;
+  std::uint64_t magnitude = 0;
   if (left < 0) {
-    magnitude = round_away_ties(parts.significand(), -left);
+    magnitude = static_cast<std::uint64_t>(round_away_ties(parts.significand(), -left));
   } else if (left < kWidth) {
-    magnitude = static_cast<std::int64_t>(static_cast<std::uint64_t>(parts.significand()) << left);
+    magnitude = static_cast<std::uint64_t>(parts.significand()) << left;
   }
   // Modulo 2^kWidth, as a two's complement number: the repeats need no more.
-  const auto wrapped = static_cast<std::uint64_t>(parts.negative ? -magnitude : magnitude) << (64 - kWidth);
+  const std::uint64_t wrapped = (parts.negative ? 0 - magnitude : magnitude) << (64 - kWidth);
   return Position::from_raw(static_cast<std::int64_t>(wrapped) >> (64 - kWidth));
 }
 

@@ -78,8 +78,7 @@ Rom srgb_rom(const Config& config) {
     }
     const Interval base = Interval::ratio(1000 * c + 55 * 255, 255 * 1055);
     const Interval square = base * base;
-    const Interval fifth = fifth_root(square);
-    const Interval linear = square * fifth * fifth;
+    const Interval linear = square * fifth_root(square);
     // 255 does not fit the interval's range in one factor.
     Interval scaled = linear * Interval::integer(51);
     scaled = scaled * Interval::integer(5);

@@ -19,7 +19,8 @@ function(feline_verilated library source optimization)
   add_library(${library} STATIC ${source})
   target_include_directories(${library} PRIVATE ${CMAKE_SOURCE_DIR})
   target_link_libraries(${library} PUBLIC feline_tables)
-  verilate(${library} ${options} TOP_MODULE feline_unit PREFIX V${library} SOURCES ${UNIT_FILES}
+  verilate(${library} ${options} TOP_MODULE feline_bench PREFIX V${library} SOURCES ${UNIT_FILES}
+    ${CMAKE_SOURCE_DIR}/testbench/cosim/feline_bench.sv
     VERILATOR_ARGS ${UNIT_WARNINGS} -O3 --x-assign unique --x-initial unique --no-timing
     OPT_FAST ${optimization} OPT_SLOW -O1 OPT_GLOBAL -O2)
 endfunction()

@@ -10,9 +10,10 @@ function(feline_tests room)
   target_compile_definitions(${room}_test PRIVATE FELINE_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
                                                   FELINE_PROGRAM="$<TARGET_FILE:feline>")
   target_link_libraries(${room}_test PRIVATE ${ARGN} GTest::gtest GTest::gtest_main mpfr gmpxx gmp)
-  gtest_discover_tests(${room}_test TEST_PREFIX ${room}. TEST_FILTER "-*_long.*" DISCOVERY_MODE PRE_TEST)
+  gtest_discover_tests(${room}_test TEST_PREFIX ${room}. TEST_FILTER "-*_long.*" NO_PRETTY_VALUES
+                       DISCOVERY_MODE PRE_TEST)
   gtest_discover_tests(${room}_test TEST_PREFIX ${room}. TEST_FILTER "*_long.*" TEST_SUFFIX .long TEST_LIST ${room}_long
-                       DISCOVERY_MODE PRE_TEST PROPERTIES LABELS long)
+                       NO_PRETTY_VALUES DISCOVERY_MODE PRE_TEST PROPERTIES LABELS long)
 endfunction()
 
 file(GLOB TESTS_SUPPORT CONFIGURE_DEPENDS tests/support/*.cpp)

@@ -284,7 +284,7 @@ package feline_pkg;
   } accumulate_t;
   localparam int unsigned AccumulateBeatWidth = 83;
 
-  localparam logic [63:0] Fingerprint = 64'hfe4a4a611388f6b8;
+  localparam logic [63:0] Fingerprint = 64'hddc0ef42fa625fe5;
 endpackage
 // verilator lint_on UNUSEDPARAM
 

@@ -38,8 +38,7 @@ void Cosimulation::reset(const Batch& batch) {
     RtlUnit::Inputs inputs;
     inputs.reset = first;
     inputs.flush = !first;
-    unit_->settle(inputs);
-    unit_->clock();
+    unit_->cycle(inputs);
     ++cycle_;
   }
 }
@@ -105,7 +104,7 @@ bool Cosimulation::run(const Batch& batch, const PixelSink& sink) {
     inputs.memory_response_valid = memory.response_valid();
     if (memory.response_valid()) unit_->set_memory_response(memory.response());
     inputs.accumulate_ready = !stalls(pixel_stalls);
-    unit_->settle(inputs);
+    unit_->cycle(inputs);
 
     const RtlUnit::Outputs outputs = unit_->outputs();
     bool holds = true;
@@ -128,7 +127,6 @@ bool Cosimulation::run(const Batch& batch, const PixelSink& sink) {
     if (memory.response_valid() && outputs.memory_response_ready) memory.take_response();
     if (outputs.memory_request_valid && memory.request_ready())
       memory.take_request(outputs.memory_request_line, cycle_);
-    unit_->clock();
     ++cycle_;
     if (!holds) {
       memory_reads_ += memory.requests();

@@ -17,7 +17,7 @@ class MemoryModel {
   MemoryModel(const TextureMemory& memory, int latency, double stall, std::uint64_t seed)
       : memory_(memory), latency_(latency), stall_(stall), random_(seed) {}
 
-  // Called once a cycle, before the unit settles; then both answers hold for that cycle.
+  // Called once a cycle, before the unit's; then both answers hold for that cycle.
   void begin_cycle(std::uint64_t cycle);
   bool request_ready() const { return request_ready_; }
   bool response_valid() const { return response_valid_; }

@@ -12,8 +12,8 @@
 
 namespace feline {
 
-// The texture unit's pins, whatever simulates them. A cycle is: set inputs, settle(), look at outputs, clock().
-// Beats and states are packed words (tables/pack.h).
+// The texture unit's pins, whatever simulates them. A cycle is: set inputs, cycle(), look at outputs, which are those
+// of the cycle in which the unit has these inputs. Beats and states are packed words (tables/pack.h).
 class RtlUnit {
  public:
   struct Inputs {
@@ -39,10 +39,9 @@ class RtlUnit {
   virtual void set_sampler(std::span<const std::uint32_t> words) = 0;
   virtual void set_request(std::span<const std::uint32_t> words) = 0;
   virtual void set_memory_response(std::span<const std::uint8_t> line) = 0;
-  virtual void settle(const Inputs& inputs) = 0;
+  virtual void cycle(const Inputs& inputs) = 0;
   virtual Outputs outputs() const = 0;
   virtual std::span<const std::uint32_t> beat(Stage stage) const = 0;
-  virtual void clock() = 0;
   // Starts and ends a waveform (FST); only a unit made with waves has one.
   virtual void open_wave(const std::filesystem::path& path) = 0;
   virtual void close_wave() = 0;

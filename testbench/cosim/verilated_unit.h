@@ -34,7 +34,7 @@ void load_port(const Port& port, std::span<std::uint32_t> words) {
   }
 }
 
-// RtlUnit over a class that Verilator made from feline_unit; Wave is a trace writer or void.
+// RtlUnit over a class that Verilator made from feline_bench; Wave is a trace writer or void.
 template <typename Verilated, typename Wave = void>
 class VerilatedUnit : public RtlUnit {
  public:
@@ -63,14 +63,18 @@ class VerilatedUnit : public RtlUnit {
     }
   }
 
-  void settle(const Inputs& inputs) override {
+  void cycle(const Inputs& inputs) override {
     unit_->rst_i = inputs.reset;
     unit_->flush_i = inputs.flush;
     unit_->request_valid_i = inputs.request_valid;
     unit_->memory_request_ready_i = inputs.memory_request_ready;
     unit_->memory_response_valid_i = inputs.memory_response_valid;
     unit_->accumulate_ready_i = inputs.accumulate_ready;
+    // The wrapper takes these inputs at the edge that ends the cycle before (feline_bench.sv).
     unit_->clk_i = 0;
+    unit_->eval();
+    dump();
+    unit_->clk_i = 1;
     unit_->eval();
     dump();
   }
@@ -97,12 +101,6 @@ class VerilatedUnit : public RtlUnit {
       case Stage::kAccumulate: return load<AccumulateBeat<kDefaultConfig>>(unit_->accumulate_o);
     }
     return {};
-  }
-
-  void clock() override {
-    unit_->clk_i = 1;
-    unit_->eval();
-    dump();
   }
 
   void open_wave(const std::filesystem::path& path) override {

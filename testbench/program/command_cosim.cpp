@@ -14,6 +14,7 @@
 #include "testbench/error.h"
 #include "testbench/program/commands.h"
 #include "testbench/program/subject.h"
+#include "testbench/render.h"
 #include "testbench/scenes/scene.h"
 
 namespace feline {
@@ -170,13 +171,9 @@ std::string summary_text(const std::vector<PreparedJob>& jobs, const std::vector
 }
 
 Picture to_picture(const PreparedJob& prepared, CosimResult& result) {
-  const Subject& subject = *prepared.subject;
-  Picture picture{subject.gbuffer.width, subject.gbuffer.height, subject.texture.srgb, std::move(result.pixels), {}};
-  for (const Lookup& lookup : subject.gbuffer.lookups) {
-    const auto request = make_request<kUnit>(lookup, 0);
-    picture.plans.push_back(
-        plan<kUnit>(footprint<kUnit>(group<kUnit>(request, prepared.sampler), prepared.sampler), prepared.sampler));
-  }
+  // The pixels are the RTL's own; the plans are the model's, which co-simulation has compared.
+  Picture picture = render_model(prepared.subject->gbuffer, prepared.sampler, prepared.subject->memory);
+  picture.pixels = std::move(result.pixels);
   return picture;
 }
 

@@ -5,6 +5,7 @@
 #include "testbench/error.h"
 #include "testbench/program/commands.h"
 #include "testbench/program/subject.h"
+#include "testbench/render.h"
 
 namespace feline {
 namespace {
@@ -19,19 +20,6 @@ struct RenderOptions {
 
 constexpr std::array<std::string_view, 2> kEngineNames{"model", "rtl"};
 
-Picture render_model(const Subject& subject, const SamplerState<kUnit>& sampler) {
-  Picture picture{subject.gbuffer.width, subject.gbuffer.height, subject.texture.srgb, {}, {}};
-  Progress progress("rendering", subject.gbuffer.lookups.size());
-  for (const Lookup& lookup : subject.gbuffer.lookups) {
-    picture.pixels.push_back(
-        sample<kUnit>(make_request<kUnit>(lookup, 0), sampler, subject.memory, [&]<typename Beat>(const Beat& beat) {
-          if constexpr (std::is_same_v<Beat, PlanBeat<kUnit>>) picture.plans.push_back(beat);
-        }));
-    progress.advance(1);
-  }
-  return picture;
-}
-
 // The pixels are the RTL's own; the maps show the plans, which co-simulation compares.
 Picture render_rtl(const Subject& subject, const SamplerState<kUnit>& sampler, bool& holds) {
   CosimJob job;
@@ -44,7 +32,7 @@ Picture render_rtl(const Subject& subject, const SamplerState<kUnit>& sampler, b
   CosimResult result = run_job(job, make_fast_unit, {}, std::nullopt, true, &progress);
   holds = result.mismatches == 0;
   fmt::print(stderr, "{}", result.message);
-  Picture picture = render_model(subject, sampler);
+  Picture picture = render_model(subject.gbuffer, sampler, subject.memory);
   picture.pixels = std::move(result.pixels);
   return picture;
 }
@@ -59,7 +47,8 @@ int run_render(const RenderOptions& options) {
   const SamplerOptions choice = options.sampler.one();
   const auto sampler = prepare_sampler(choice, subject.texture, subject.memory);
   bool holds = true;
-  const Picture picture = rtl ? render_rtl(subject, sampler, holds) : render_model(subject, sampler);
+  const Picture picture =
+      rtl ? render_rtl(subject, sampler, holds) : render_model(subject.gbuffer, sampler, subject.memory);
   if (!holds) return kBroken;
   const std::filesystem::path path = options.output;
   write_picture(path, picture);

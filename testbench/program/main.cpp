@@ -24,6 +24,10 @@ int main(int argc, char** argv) {
   feline::add_vectors(program, exit_code);
   feline::add_cosim(program, exit_code, {argv + std::min(argc, 2), argv + argc});
   try {
+    const auto is_named = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
+    if (argc > 1 && argv[1][0] != '-' && std::ranges::none_of(program.get_subcommands(nullptr), is_named)) {
+      feline::bad_input("command line", "command", argv[1], "tables, scene, render, explain, vectors or cosim");
+    }
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? feline::kHolds : feline::kBadInput;

@@ -64,6 +64,9 @@ void SubjectOptions::add_to(CLI::App& command) {
 }
 
 Subject SubjectOptions::load(const std::string& scene_name) const {
+  if (texture.empty() && !gbuffer.empty() && scene_name.empty()) {
+    bad_input("command line", "--texture", "nothing", "an image for the G-buffer, or --scene for a built-in texture");
+  }
   Subject subject;
   const Scene& built_in = find_scene(scene_name.empty() ? scenes().front().name : std::string_view(scene_name));
   const auto filter = static_cast<MipFilter>(parse_name("--mip-filter", mip_filter, kMipFilterNames));
@@ -78,9 +81,6 @@ Subject SubjectOptions::load(const std::string& scene_name) const {
     subject.name = gbuffer;
   }
   if (texture.empty()) {
-    if (!gbuffer.empty() && scene_name.empty()) {
-      bad_input("command line", "--texture", "nothing", "an image for the G-buffer, or --scene for a built-in texture");
-    }
     subject.texture = built_in.texture(filter);
   } else {
     ImageOptions options;

@@ -35,9 +35,37 @@ TEST(model_plan, equals_exact_arithmetic) {
   Random random = random_for("model_plan.equals_exact_arithmetic");
   for (int i = 0; i < 1000000 && !HasFatalFailure(); ++i) {
     const State state = random_state(random);
-    const int exponent = static_cast<int>(random.one_in(8) ? random.between(-64, 63) : random.between(-9, 10));
+    const int exponent = static_cast<int>(random.one_in(8)   ? random.between(-64, 63)
+                                          : random.one_in(8) ? random.between(10, 22)
+                                                             : random.between(-9, 10));
     expect_as_oracle(footprint<kDefaultConfig>(group_beat(random_quad(random), exponent), state), state);
   }
+}
+
+// The largest footprints that still take more than one probe: a tiny lengthFactor shortens a line of 2^20 texels and
+// more on a texture one texel wide, and a half step has more bits before the point than after it.
+TEST(model_plan, shortened_lines_on_a_narrow_texture) {
+  int several = 0;
+  for (int length = 1; length <= 40; ++length) {
+    SamplerOptions options = plain_options(Mode::kSimple);
+    options.probes.length_factor = length / 256.0;
+    for (const int limit : {2, 7, 16}) {
+      options.max_probes = limit;
+      for (const auto& [width, height] : {std::array{1, 16384}, {16384, 1}, {2, 16384}, {3, 9000}}) {
+        const State state = oracle::sampler_state(options, TexelFormat::kR8, false, width, height, 14, {});
+        for (int exponent = 8; exponent <= 24; ++exponent) {
+          for (const Quad& quad :
+               {Quad{127, -64, 0, 0}, Quad{-64, 127, 0, 0}, Quad{127, 127, 1, 1}, Quad{64, 0, 0, 0}}) {
+            const auto shaped = footprint<kDefaultConfig>(group_beat(quad, exponent), state);
+            expect_as_oracle(shaped, state);
+            if (HasFatalFailure()) return;
+            if (exponent > 15 && plan<kDefaultConfig>(shaped, state).probes.raw() > 1) ++several;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(several, 100);
 }
 
 // The major radius of a footprint is 0 or at least 64 * 128, its largest mantissa being at least 64.

@@ -3,6 +3,8 @@
 # Each fault replaces an expression by (feline_fault() == number ? mutant : original). An original that is not there
 # exactly once stops the configuration, so that no fault silently goes away when the RTL changes.
 
+# The copy is made when CMake configures.
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${RTL_FILES} tests/rtl/fault_list.cmake)
 set(FAULTY_DIR ${CMAKE_BINARY_DIR}/faulty)
 file(REMOVE_RECURSE ${FAULTY_DIR})
 file(MAKE_DIRECTORY ${FAULTY_DIR})
