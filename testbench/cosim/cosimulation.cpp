@@ -119,6 +119,7 @@ bool Cosimulation::run(const Batch& batch, const PixelSink& sink) {
         ++pixels;
       }
     }
+    if (!holds) scoreboard_.blame_plan(unit_->beat(Stage::kPlan), cycle_);
     holds = holds && check_protocol(outputs, inputs);
     if (outputs.request_ready && offering) {
       offering = false;

@@ -66,6 +66,21 @@ bool Scoreboard::check(Stage stage, std::span<const std::uint32_t> got, std::uin
   return false;
 }
 
+void Scoreboard::blame_plan(std::span<const std::uint32_t> offered, std::uint64_t cycle) {
+  const BeatQueue& plans = queues_[static_cast<std::size_t>(Stage::kPlan)];
+  if (!mismatch_ || mismatch_->stage != Stage::kWalk || plans.empty()) return;
+  const BeatQueue::Entry plan = plans.front();
+  if (plan.lookup != mismatch_->lookup || std::ranges::equal(plan.words, offered)) return;
+  mismatch_ = Mismatch{Mismatch::Kind::kValue,
+                       Stage::kPlan,
+                       plan.lookup,
+                       plan.probe,
+                       cycle,
+                       {plan.words.begin(), plan.words.end()},
+                       {offered.begin(), offered.end()},
+                       ""};
+}
+
 bool Scoreboard::finish(std::uint64_t cycle) {
   for (std::size_t index = 0; index < kStageCount && !mismatch_; ++index) {
     if (queues_[index].empty()) continue;

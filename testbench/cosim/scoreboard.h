@@ -61,6 +61,9 @@ class Scoreboard {
               std::uint64_t lookup);
   // A beat leaves a stage. False at the first difference, which mismatch() then tells.
   bool check(Stage stage, std::span<const std::uint32_t> got, std::uint64_t cycle);
+  // walk gives its first beats while the plan is still offered. If walk was found wrong, and the plan on offer for the
+  // same lookup is wrong as well, the plan is the first wrong stage.
+  void blame_plan(std::span<const std::uint32_t> offered, std::uint64_t cycle);
   // At the end nothing may be owed.
   bool finish(std::uint64_t cycle);
   bool idle() const;

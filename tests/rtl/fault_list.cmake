@@ -34,6 +34,17 @@ feline_fault(footprint radius_rounds_down feline_table_footprint
 feline_fault(footprint tangent_tie feline_table_place
              "cross_size < dot_size" "cross_size < dot_size" "cross_size <= dot_size")
 
+feline_fault(plan most_probes_count_as_limited feline_choose_probes
+             "32'(wanted) > 32'(max_probes_i)" "32'(wanted) > 32'(max_probes_i)" "32'(wanted) >= 32'(max_probes_i)")
+feline_fault(plan radius_never_widened feline_fit_radius "minor_i > widened" "minor_i > widened" "1'b1")
+feline_fault(plan level_rounds_down feline_level_of_radius
+             "(FractionBits + 2)'(aligned[DroppedBits-1])" "(FractionBits + 2)'(aligned[DroppedBits-1])" "0")
+feline_fault(plan level_tie_goes_to_coarser feline_sampled_level "lambda) + BelowHalf" "BelowHalf" "BelowHalf + 1")
+feline_fault(plan magnification_unseen feline_sampled_level "lambda == '0" "lambda == '0" "1'b0")
+feline_fault(plan step_sign_lost feline_half_step "negative ? -rounded" "negative" "1'b0")
+feline_fault(plan weight_row_of_one_probe_less feline_choose_weight_row
+             "quarters < least" "quarters < least" "quarters < least - 1")
+
 feline_fault(walk probes_run_the_other_way feline_probe_position
              "half_step_i * n_i" "half_step_i * n_i" "half_step_i * -n_i")
 feline_fault(walk column_one_low feline_walk
