@@ -125,13 +125,14 @@ SamplerOptions random_sampler(Random& random) {
   options.magnify = static_cast<Magnify>(random.below(2));
   options.wrap_s = static_cast<Wrap>(random.below(4));
   options.wrap_t = static_cast<Wrap>(random.below(4));
-  switch (random.below(4)) {
+  switch (random.below(5)) {
     case 0: options.probes = kHighQuality; break;
     case 1: options.probes = kHighEfficiency; break;
     case 2:
       options.probes = {static_cast<ProbeRounding>(random.below(2)), 0.0625 + 0.9375 * random.unit(),
                         1 + 0.99 * random.unit(), 1 + random.unit()};
       break;
+    case 3: options.probes.rounding = ProbeRounding::kCeiling; break;
     default: break;
   }
   if (random.below(3) == 0) options.max_probes = 1 + static_cast<int>(random.below(16));
