@@ -25,11 +25,13 @@ for pid in "${pids[@]}"; do wait "$pid"; done
 step "the netlist in Icarus"
 tests/rtl/netlist.sh build/netlist
 
-step "clang++ and clang-tidy"
-feline_build build-clang Release all -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
-tests/tidy.sh build-clang
-
 step "sanitizers: address, undefined behaviour"
 feline_build build-sanitize RelWithDebInfo all -DFELINE_SANITIZE=ON
 ctest --test-dir build-sanitize --output-on-failure --no-tests=error -j 2 -LE long -R "$regex"
+
+step "clang++ and clang-tidy"
+feline_build build-clang Debug all -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
+  -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
+tests/tidy.sh build-clang
+
 printf '\nall: %d s\n' "$SECONDS"

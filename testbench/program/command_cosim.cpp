@@ -180,6 +180,8 @@ Picture to_picture(const PreparedJob& prepared, CosimResult& result) {
 void write_outputs(const CosimOptions& options, const std::vector<PreparedJob>& jobs, std::vector<CosimResult>& results,
                    double seconds) {
   const std::filesystem::path directory = options.output;
+  // Standard output is the JSON's alone.
+  std::FILE* const told = options.json ? stderr : stdout;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     if (!jobs[i].subject || results[i].mismatches != 0 || !options.replay.empty()) continue;
     const CosimJob& job = jobs[i].job;
@@ -188,11 +190,11 @@ void write_outputs(const CosimOptions& options, const std::vector<PreparedJob>& 
     const Picture picture = to_picture(jobs[i], results[i]);
     write_picture(directory / (stem + ".png"), picture);
     write_probe_map(directory / (stem + "-probes.png"), picture);
-    fmt::print("{}\n{}\n", (directory / (stem + ".png")).string(), (directory / (stem + "-probes.png")).string());
+    fmt::print(told, "{}\n{}\n", (directory / (stem + ".png")).string(), (directory / (stem + "-probes.png")).string());
   }
   write_file_atomically(directory / "summary.txt", summary_text(jobs, results, seconds));
   write_file_atomically(directory / "summary.json", summary_json(jobs, results, seconds).dump(1) + "\n");
-  fmt::print("{}\n", (directory / "summary.json").string());
+  fmt::print(told, "{}\n", (directory / "summary.json").string());
 }
 
 std::vector<PreparedJob> prepare_jobs(const CosimOptions& options) {
