@@ -25,8 +25,8 @@ template <Config kConfig>
 std::optional<AccumulateBeat<kConfig>> accumulate(const FilterBeat<kConfig>& filter, Accumulator<kConfig>& sum) {
   using F = Formats<kConfig>;
   for (std::size_t c = 0; c < 4; ++c) {
-    const std::int64_t before = filter.first.raw() != 0 ? 0 : sum[c].raw();
-    sum[c] = sum[c].from_raw(before + filter.colour[c].raw() * filter.weight.raw());
+    const std::int64_t carried = filter.first.raw() != 0 ? 0 : sum[c].raw();
+    sum[c] = sum[c].from_raw(carried + filter.colour[c].raw() * filter.weight.raw());
   }
   if (filter.last.raw() == 0) return std::nullopt;
   AccumulateBeat<kConfig> beat;

@@ -131,6 +131,11 @@ bool Cosimulation::run(const Batch& batch, const PixelSink& sink) {
     ++cycle_;
     if (!holds) {
       memory_reads_ += memory.requests();
+      // A few cycles more, for whoever reads the waveform.
+      for (; wave_ && cycle_ <= wave_->last_cycle; ++cycle_) {
+        wave_cycle();
+        unit_->cycle({});
+      }
       return false;
     }
     if (static_cast<double>(cycle_ - last_progress) > patience) {

@@ -70,7 +70,8 @@ std::string follow(const CosimJob& job, const RtlFactory& factory, const FollowU
     const WaveWindow window{wave.temporary(), cycle > kBefore ? cycle - kBefore : 0, cycle + kAfter};
     run_range(job, follow_up.trace, range, window, {}, nullptr);
     wave.commit();
-    message += fmt::format("  waveform: {}, cycles {} to {}\n", follow_up.wave.string(), window.first_cycle, cycle);
+    message += fmt::format("  waveform: {}, cycles {} to {}\n", follow_up.wave.string(), window.first_cycle,
+                           window.last_cycle);
   }
   message += range.first == range.last
                  ? fmt::format("  replay: {} --replay {}\n", job.command, range.first)
