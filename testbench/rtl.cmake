@@ -22,8 +22,8 @@ function(feline_verilated library source optimization)
   verilate(${library} ${options} TOP_MODULE feline_bench PREFIX V${library} SOURCES ${UNIT_FILES}
     ${CMAKE_SOURCE_DIR}/testbench/cosim/feline_bench.sv
     VERILATOR_ARGS ${UNIT_WARNINGS} -O3 --x-assign unique --x-initial unique --no-timing
-    OPT_FAST ${optimization} OPT_SLOW -O1 OPT_GLOBAL -O2)
+    OPT_FAST ${optimization} OPT_SLOW -O0 OPT_GLOBAL -O1)
 endfunction()
 
 feline_verilated(feline_fast testbench/cosim/fast_unit.cpp -O3 FILES ${RTL_FILES})
-feline_verilated(feline_trace testbench/cosim/trace_unit.cpp -O1 TRACE_FST FILES ${RTL_FILES})
+feline_verilated(feline_trace testbench/cosim/trace_unit.cpp -O0 TRACE_FST FILES ${RTL_FILES})

@@ -29,9 +29,7 @@ step "sanitizers: address, undefined behaviour"
 feline_build build-sanitize RelWithDebInfo all -DFELINE_SANITIZE=ON
 ctest --test-dir build-sanitize --output-on-failure --no-tests=error -j 2 -LE long -R "$regex"
 
-step "clang++ and clang-tidy"
-feline_build build-clang Debug all -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
-  -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
-tests/tidy.sh build-clang
+step "clang++"
+tests/clang.sh build
 
 printf '\nall: %d s\n' "$SECONDS"

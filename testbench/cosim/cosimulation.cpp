@@ -16,7 +16,7 @@ Cosimulation::Cosimulation(const RtlFactory& factory, const Timing& timing)
   if (unit_->fingerprint() != fingerprint<kUnit>()) {
     throw std::runtime_error(
         fmt::format("stale build: the RTL's fingerprint is {:016x}, the model's is {:016x}; "
-                    "run `feline tables --output tables/generated` and build again",
+                    "run feline_generate tables/generated and build again",
                     unit_->fingerprint(), fingerprint<kUnit>()));
   }
 }
@@ -44,7 +44,10 @@ void Cosimulation::reset(const Batch& batch) {
 }
 
 bool Cosimulation::fail(Stage stage, std::string note) {
-  if (!protocol_) protocol_ = Mismatch{Mismatch::Kind::kProtocol, stage, 0, 0, cycle_, {}, {}, std::move(note)};
+  if (!protocol_) {
+    protocol_ = Mismatch{
+        Mismatch::Kind::kProtocol, stage, scoreboard_.nearest_lookup(stage), 0, cycle_, {}, {}, std::move(note)};
+  }
   return false;
 }
 
@@ -60,12 +63,32 @@ bool Cosimulation::check_protocol(const RtlUnit::Outputs& outputs, const RtlUnit
       return fail(Stage::kAccumulate, "a pixel changed or went away before it was taken");
     }
   }
+  if (outputs.busy != (inside_ != 0)) return fail(Stage::kGroup, "busy_o does not say whether lookups are inside");
   held_.memory_request_valid = outputs.memory_request_valid && !inputs.memory_request_ready;
   held_.memory_request_line = outputs.memory_request_line;
   held_.accumulate_valid = outputs.accumulate_valid && !inputs.accumulate_ready;
   if (held_.accumulate_valid) {
     const auto pixel = unit_->beat(Stage::kAccumulate);
     held_pixel_.assign(pixel.begin(), pixel.end());
+  }
+  return true;
+}
+
+// When all pixels are out nothing may follow: no beat, no read, and the unit is not busy.
+bool Cosimulation::drain() {
+  constexpr int kLongerThanThePipeline = 40;
+  for (int i = 0; i < kLongerThanThePipeline; ++i, ++cycle_) {
+    wave_cycle();
+    RtlUnit::Inputs inputs;
+    inputs.accumulate_ready = inputs.memory_request_ready = true;
+    unit_->cycle(inputs);
+    const RtlUnit::Outputs outputs = unit_->outputs();
+    for (std::size_t index = 0; index < kStageCount; ++index) {
+      const auto stage = static_cast<Stage>(index);
+      if ((outputs.taken >> index & 1) != 0) return scoreboard_.check(stage, unit_->beat(stage), cycle_);
+    }
+    if (outputs.memory_request_valid) return fail(Stage::kFetch, "a memory read after the last pixel");
+    if (outputs.busy) return fail(Stage::kGroup, "busy_o stays high after the last pixel");
   }
   return true;
 }
@@ -124,7 +147,9 @@ bool Cosimulation::run(const Batch& batch, const PixelSink& sink) {
     if (outputs.request_ready && offering) {
       offering = false;
       ++offered;
+      ++inside_;
     }
+    if (outputs.accumulate_valid && inputs.accumulate_ready) --inside_;
     if (memory.response_valid() && outputs.memory_response_ready) memory.take_response();
     if (outputs.memory_request_valid && memory.request_ready())
       memory.take_request(outputs.memory_request_line, cycle_);
@@ -134,7 +159,9 @@ bool Cosimulation::run(const Batch& batch, const PixelSink& sink) {
       // A few cycles more, for whoever reads the waveform.
       for (; wave_ && cycle_ <= wave_->last_cycle; ++cycle_) {
         wave_cycle();
-        unit_->cycle({});
+        RtlUnit::Inputs held = inputs;
+        held.accumulate_ready = held.memory_request_ready = false;
+        unit_->cycle(held);
       }
       return false;
     }
@@ -144,7 +171,7 @@ bool Cosimulation::run(const Batch& batch, const PixelSink& sink) {
     }
   }
   memory_reads_ += memory.requests();
-  return scoreboard_.finish(cycle_);
+  return scoreboard_.finish(cycle_) && drain();
 }
 
 }  // namespace feline

@@ -24,8 +24,8 @@ struct Batch {
 };
 
 struct Timing {
-  int memory_latency = 20;  // cycles, >= 1
-  double stalls = 0;        // chance of a stall, 0 .. 0.99, at each port and cycle
+  int memory_latency = 20;  // cycles, >= 1; with stalls, each read takes up to twice as long
+  double stalls = 0;        // chance of a stall, 0 .. 0.95, at each port and cycle
   std::uint64_t seed = 1;
 };
 
@@ -57,6 +57,7 @@ class Cosimulation {
 
  private:
   void reset(const Batch& batch);
+  bool drain();
   bool check_protocol(const RtlUnit::Outputs& outputs, const RtlUnit::Inputs& inputs);
   bool fail(Stage stage, std::string note);
   void wave_cycle();
@@ -69,7 +70,8 @@ class Cosimulation {
   std::uint64_t cycle_ = 0;
   std::uint64_t memory_reads_ = 0;
   std::uint64_t batches_ = 0;
-  RtlUnit::Outputs held_;  // offered, not yet taken
+  std::uint64_t inside_ = 0;  // requests taken less pixels taken
+  RtlUnit::Outputs held_;     // offered, not yet taken
   std::vector<std::uint32_t> held_pixel_;
 };
 

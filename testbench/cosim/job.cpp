@@ -7,6 +7,7 @@
 #include <chrono>
 
 #include "testbench/atomic_file.h"
+#include "testbench/error.h"
 
 namespace feline {
 namespace {
@@ -38,10 +39,6 @@ Pass run_range(const CosimJob& job, const RtlFactory& factory, const ReplayRange
   return pass;
 }
 
-bool same_place(const Mismatch& a, const Mismatch& b) {
-  return a.stage == b.stage && a.lookup == b.lookup && a.kind == b.kind;
-}
-
 // The smallest range that shows the mismatch again: the lookup alone, else its batch so far, else everything so far.
 ReplayRange smallest_range(const CosimJob& job, const RtlFactory& factory, const ReplayRange& run,
                            const Mismatch& mismatch) {
@@ -50,29 +47,39 @@ ReplayRange smallest_range(const CosimJob& job, const RtlFactory& factory, const
   constexpr std::uint64_t kInFlight = 64;
   const std::uint64_t until = std::min(mismatch.lookup + kInFlight, run.last);
   for (const ReplayRange range :
-       {ReplayRange{mismatch.lookup, mismatch.lookup}, ReplayRange{std::max(batch_first, run.first), until}}) {
+       {ReplayRange{mismatch.lookup, mismatch.lookup}, ReplayRange{std::max(batch_first, run.first), until},
+        ReplayRange{run.first, until}}) {
     const Pass pass = run_range(job, factory, range, std::nullopt, {}, nullptr);
-    if (!pass.holds && same_place(*pass.simulation->mismatch(), mismatch)) return range;
+    if (!pass.holds && pass.simulation->mismatch()->stage == mismatch.stage) return range;
   }
-  return {run.first, until};
+  return run;
+}
+
+// The waveform around the mismatch, by running the range again; says where it is, or why it is not.
+std::string write_wave(const CosimJob& job, const FollowUp& follow_up, const RtlFactory& factory,
+                       const ReplayRange& range) {
+  constexpr std::uint64_t kBefore = 64;
+  constexpr std::uint64_t kAfter = 16;
+  const Pass again = run_range(job, factory, range, std::nullopt, {}, nullptr);
+  if (again.holds) return "  waveform: none, the mismatch does not show again\n";
+  const std::uint64_t cycle = again.simulation->mismatch()->cycle;
+  try {
+    AtomicFile wave(follow_up.wave);
+    const WaveWindow window{wave.temporary(), cycle > kBefore ? cycle - kBefore : 0, cycle + kAfter};
+    run_range(job, follow_up.trace, range, window, {}, nullptr);
+    wave.commit();
+    return fmt::format("  waveform: {}, cycles {} to {}\n", follow_up.wave.string(), window.first_cycle,
+                       window.last_cycle);
+  } catch (const InputError& error) {
+    return fmt::format("  waveform: not written: {}\n", error.what());
+  }
 }
 
 std::string follow(const CosimJob& job, const RtlFactory& factory, const FollowUp& follow_up, const ReplayRange& run,
                    const Mismatch& mismatch) {
   std::string message = describe_mismatch(mismatch, job);
   const ReplayRange range = smallest_range(job, factory, run, mismatch);
-  if (follow_up.trace) {
-    constexpr std::uint64_t kBefore = 64;
-    constexpr std::uint64_t kAfter = 16;
-    const Pass again = run_range(job, factory, range, std::nullopt, {}, nullptr);
-    const std::uint64_t cycle = again.holds ? mismatch.cycle : again.simulation->mismatch()->cycle;
-    AtomicFile wave(follow_up.wave);
-    const WaveWindow window{wave.temporary(), cycle > kBefore ? cycle - kBefore : 0, cycle + kAfter};
-    run_range(job, follow_up.trace, range, window, {}, nullptr);
-    wave.commit();
-    message += fmt::format("  waveform: {}, cycles {} to {}\n", follow_up.wave.string(), window.first_cycle,
-                           window.last_cycle);
-  }
+  if (follow_up.trace) message += write_wave(job, follow_up, factory, range);
   message += range.first == range.last
                  ? fmt::format("  replay: {} --replay {}\n", job.command, range.first)
                  : fmt::format("  replay: {} --replay {}:{}\n", job.command, range.first, range.last);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "testbench/cosim/memory_model.h"
 
-#include <algorithm>
-
 namespace feline {
 
 void MemoryModel::begin_cycle(std::uint64_t cycle) {
@@ -12,11 +10,13 @@ void MemoryModel::begin_cycle(std::uint64_t cycle) {
   response_valid_ = due && (response_valid_ || stall_ == 0 || !random_.chance(stall_));
 }
 
-void MemoryModel::take_request(std::uint32_t line, std::uint64_t cycle) {
-  // A line beyond the texture is the unit's mistake, which the address stage's beats show; answer with the last one.
-  const auto last = static_cast<std::int64_t>(memory_.lines()) - 1;
-  waiting_.push_back({std::min<std::int64_t>(line, last), cycle + static_cast<std::uint64_t>(latency_)});
+bool MemoryModel::take_request(std::uint32_t line, std::uint64_t cycle) {
   ++requests_;
+  if (line >= memory_.lines()) return false;
+  const auto latency = static_cast<std::uint64_t>(latency_);
+  const std::uint64_t more = stall_ == 0 ? 0 : random_.below(static_cast<std::uint32_t>(latency) + 1);
+  waiting_.push_back({line, cycle + latency + more});
+  return true;
 }
 
 void MemoryModel::take_response() {

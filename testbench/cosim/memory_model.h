@@ -10,8 +10,8 @@
 
 namespace feline {
 
-// A read port's other end: answers in order, each at least `latency` cycles after its request, and later still with
-// the chance of a stall in every cycle. latency >= 1.
+// A read port's other end: answers in order, each `latency` cycles after its request; with stalls a random number of
+// cycles from that to twice as many, and later still with the chance of a stall in every cycle. latency >= 1.
 class MemoryModel {
  public:
   MemoryModel(const TextureMemory& memory, int latency, double stall, std::uint64_t seed)
@@ -23,7 +23,8 @@ class MemoryModel {
   bool response_valid() const { return response_valid_; }
   std::span<const std::uint8_t> response() const { return memory_.line(waiting_.front().line); }
 
-  void take_request(std::uint32_t line, std::uint64_t cycle);
+  // False when there is no such line.
+  bool take_request(std::uint32_t line, std::uint64_t cycle);
   void take_response();
   std::uint64_t requests() const { return requests_; }
 

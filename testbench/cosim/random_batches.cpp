@@ -118,13 +118,18 @@ Texture random_texture(Random& random) {
   return texture;
 }
 
-SamplerOptions random_sampler(Random& random) {
+template <typename T>
+T pick(Random& random, const std::vector<T>& from) {
+  return from[random.below(static_cast<std::uint32_t>(from.size()))];
+}
+
+SamplerOptions random_sampler(Random& random, const RandomBatches::Choices& choices) {
   SamplerOptions options;
-  options.mode = static_cast<Mode>(random.below(kModeNames.size()));
-  options.kernel = static_cast<Kernel>(random.below(2));
+  options.mode = pick(random, choices.modes);
+  options.kernel = pick(random, choices.kernels);
   options.magnify = static_cast<Magnify>(random.below(2));
-  options.wrap_s = static_cast<Wrap>(random.below(4));
-  options.wrap_t = static_cast<Wrap>(random.below(4));
+  options.wrap_s = pick(random, choices.wraps);
+  options.wrap_t = pick(random, choices.wraps);
   switch (random.below(5)) {
     case 0: options.probes = kHighQuality; break;
     case 1: options.probes = kHighEfficiency; break;
@@ -149,7 +154,7 @@ SamplerOptions random_sampler(Random& random) {
 Batch RandomBatches::make(std::uint64_t number, std::uint64_t lookups) {
   Random random(derived_seed(seed_, number));
   texture_ = random_texture(random);
-  options_ = random_sampler(random);
+  options_ = random_sampler(random, choices_);
   memory_ = layout_texture(texture_);
   const std::uint64_t first = number * batch_lookups_;
   const int width = texture_.levels.front().width;

@@ -49,10 +49,11 @@ void Scoreboard::expect(const RequestBeat<kUnit>& request, const SamplerState<kU
 bool Scoreboard::check(Stage stage, std::span<const std::uint32_t> got, std::uint64_t cycle) {
   const auto index = static_cast<std::size_t>(stage);
   BeatQueue& queue = queues_[index];
-  Mismatch found{Mismatch::Kind::kUnexpected, stage, 0, 0, cycle, {}, {got.begin(), got.end()}, ""};
+  Mismatch found{Mismatch::Kind::kUnexpected, stage, nearest_lookup(stage), 0, cycle, {}, {got.begin(), got.end()}, ""};
   if (!queue.empty()) {
     const BeatQueue::Entry expected = queue.front();
     if (std::ranges::equal(expected.words, got)) {
+      last_lookup_[index] = expected.lookup;
       queue.pop();
       ++beats_[index];
       return true;
@@ -97,8 +98,9 @@ bool Scoreboard::finish(std::uint64_t cycle) {
   return !mismatch_;
 }
 
-bool Scoreboard::idle() const {
-  return std::ranges::all_of(queues_, [](const BeatQueue& queue) { return queue.empty(); });
+std::uint64_t Scoreboard::nearest_lookup(Stage stage) const {
+  const auto index = static_cast<std::size_t>(stage);
+  return queues_[index].empty() ? last_lookup_[index] : queues_[index].front().lookup;
 }
 
 }  // namespace feline

@@ -66,7 +66,8 @@ class Scoreboard {
   void blame_plan(std::span<const std::uint32_t> offered, std::uint64_t cycle);
   // At the end nothing may be owed.
   bool finish(std::uint64_t cycle);
-  bool idle() const;
+  // The lookup whose beat a stage gave last, or would give next: where a beat out of turn belongs.
+  std::uint64_t nearest_lookup(Stage stage) const;
 
   const std::optional<Mismatch>& mismatch() const { return mismatch_; }
   const std::array<std::uint64_t, kStageCount>& beats() const { return beats_; }
@@ -74,6 +75,7 @@ class Scoreboard {
  private:
   std::vector<BeatQueue> queues_;
   std::array<std::uint64_t, kStageCount> beats_{};
+  std::array<std::uint64_t, kStageCount> last_lookup_{};
   std::optional<Mismatch> mismatch_;
 };
 

@@ -23,8 +23,8 @@ namespace {
 struct CosimOptions {
   SubjectOptions subject;
   SamplerChoice sampler;
-  std::vector<std::string> scenes;
-  std::uint64_t random = 0;
+  std::string scenes;
+  std::optional<std::uint64_t> random;
   Timing timing;
   std::string replay;
   std::string output;
@@ -79,7 +79,7 @@ PreparedJob scene_job(const CosimOptions& options, const std::shared_ptr<const S
   return prepared;
 }
 
-// Random lookups, in parts that run side by side; a part is a range of batches of the same run.
+// Random lookups: one run of many batches, each under another sampler.
 PreparedJob random_job(const CosimOptions& options) {
   constexpr std::uint64_t kBatchLookups = 256;
   PreparedJob prepared;
@@ -88,10 +88,11 @@ PreparedJob random_job(const CosimOptions& options) {
   job.mode = job.kernel = job.wrap = "random";
   job.timing = options.timing;
   job.command = options.command_line;
-  job.lookups = options.random;
+  job.lookups = *options.random;
   job.batch_lookups = kBatchLookups;
-  job.batch = [batches = std::make_shared<RandomBatches>(options.timing.seed, kBatchLookups),
-               lookups = options.random](std::uint64_t number) { return batches->make(number, lookups); };
+  const auto batches = std::make_shared<RandomBatches>(options.timing.seed, kBatchLookups);
+  batches->set_choices(options.sampler.random_choices());
+  job.batch = [batches, lookups = job.lookups](std::uint64_t number) { return batches->make(number, lookups); };
   return prepared;
 }
 
@@ -198,13 +199,16 @@ void write_outputs(const CosimOptions& options, const std::vector<PreparedJob>& 
 }
 
 std::vector<PreparedJob> prepare_jobs(const CosimOptions& options) {
-  if (options.random != 0) return {random_job(options)};
-  std::vector<std::string> names = options.scenes;
-  if (names == std::vector<std::string>{"all"}) {
+  if (options.random) {
+    if (!options.scenes.empty()) bad_input("command line", "--scene", options.scenes, "nothing together with --random");
+    options.subject.refuse_with_random();
+    return {random_job(options)};
+  }
+  std::vector<std::string> names = split_list(options.scenes);
+  if (options.scenes == "all") {
     names.clear();
     for (const Scene& scene : scenes()) names.emplace_back(scene.name);
   }
-  if (names.empty()) names.emplace_back("");
   std::vector<PreparedJob> jobs;
   for (const std::string& name : names) {
     const auto subject = std::make_shared<const Subject>(options.subject.load(name));
@@ -277,20 +281,31 @@ int run_cosim(const CosimOptions& options) {
   return holds ? kHolds : kBroken;
 }
 
+std::string quoted(const std::string& argument) {
+  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./,:=+-";
+  if (!argument.empty() && argument.find_first_not_of(kPlain) == std::string::npos) return argument;
+  std::string safe = "'";
+  for (const char c : argument) safe += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return safe + "'";
+}
+
 // The command line again, without what a replay chooses anew.
 std::string repeat_command(const std::vector<std::string>& arguments) {
-  constexpr std::array<std::string_view, 6> kChosen{"--replay", "--scene", "--mode", "--kernel", "--wrap", "--output"};
-  std::string command = "feline cosim";
+  constexpr std::array<std::string_view, 3> kAlways{"--replay", "--output", "--scene"};
+  constexpr std::array<std::string_view, 3> kOfScenes{"--mode", "--kernel", "--wrap"};
+  const bool random = std::ranges::any_of(arguments, [](const auto& a) { return a.starts_with("--random"); });
+  const auto chosen = [&](std::string_view name) {
+    return std::ranges::find(kAlways, name) != kAlways.end() ||
+           (!random && std::ranges::find(kOfScenes, name) != kOfScenes.end());
+  };
+  std::string command;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string& argument = arguments[i];
-    if (std::ranges::find(kChosen, argument) != kChosen.end()) {
+    if (chosen(argument)) {
       ++i;
-      continue;
+    } else if (!chosen(std::string_view(argument).substr(0, argument.find('=')))) {
+      command += (command.empty() ? "" : " ") + quoted(argument);
     }
-    if (std::ranges::any_of(kChosen, [&](auto name) { return argument.starts_with(std::string(name) + "="); }))
-      continue;
-    const bool plain = argument.find_first_of(" '\"$\\*?") == std::string::npos;
-    command += plain ? " " + argument : " '" + argument + "'";
   }
   return command;
 }
@@ -305,15 +320,17 @@ void add_cosim(CLI::App& program, int& exit_code, const std::vector<std::string>
   command->footer(
       "Stops a run at the first wrong stage: prints the field, the stage's inputs, a waveform and a replay command.\n"
       "Example: feline cosim --scene bricks --mode simple,table --size 512 --stalls 0.2 --memory-latency 50");
-  command->add_option("--scene", options->scenes, "built-in scene; a list a,b, or all")->delimiter(',');
+  command->add_option("--scene", options->scenes, "built-in scene; a list a,b, or all");
   options->subject.add_to(*command);
   options->sampler.add_to(*command, true);
-  command->add_option("--random", options->random, "so many random and directed lookups under random samplers instead");
+  command->add_option("--random", options->random, "so many random and directed lookups under random samplers instead")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40));
   command->add_option("--memory-latency", options->timing.memory_latency, "cycles from a read to its data, >= 1")
       ->capture_default_str();
   command->add_option("--stalls", options->timing.stalls, "chance of a stall at each port in each cycle, 0 to 0.95")
       ->capture_default_str();
   command->add_option("--seed", options->timing.seed, "of stalls, power-up state and random lookups")
+      ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command->add_option("--replay", options->replay, "only this lookup, or FIRST:LAST");
   command->add_option("--output", options->output, "directory for pictures, probe maps and the summary");

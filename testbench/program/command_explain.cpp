@@ -162,7 +162,10 @@ void add_explain(CLI::App& program, int& exit_code) {
   command->add_option("--position", options->position, "s,t of the lookup, with --derivatives")
       ->delimiter(',')
       ->expected(2);
-  command->add_option("--pixel", options->pixel, "X,Y in a scene or G-buffer")->delimiter(',')->expected(2);
+  command->add_option("--pixel", options->pixel, "X,Y in a scene or G-buffer")
+      ->delimiter(',')
+      ->expected(2)
+      ->excludes("--derivatives");
   command->add_option("--scene", options->subject.scene, "built-in scene");
   options->subject.add_to(*command);
   options->sampler.add_to(*command, false);

@@ -26,7 +26,7 @@ Picture render_rtl(const Subject& subject, const SamplerState<kUnit>& sampler, b
   job.scene = subject.name;
   job.width = subject.gbuffer.width;
   job.lookups = job.batch_lookups = subject.gbuffer.lookups.size();
-  job.command = "feline cosim";
+  job.command = "feline cosim with the same options, ";
   job.batch = [&](std::uint64_t) { return Batch{sampler, &subject.memory, subject.gbuffer.lookups, 0}; };
   Progress progress("rendering", job.lookups);
   CosimResult result = run_job(job, make_fast_unit, {}, std::nullopt, true, &progress);
@@ -42,6 +42,8 @@ std::filesystem::path beside(const std::filesystem::path& path, std::string_view
 }
 
 int run_render(const RenderOptions& options) {
+  const std::string extension = std::filesystem::path(options.output).extension().string();
+  if (!extension.empty() && extension != ".png") bad_input(options.output, "--output", extension, "a .png file");
   const bool rtl = parse_name("--engine", options.engine, kEngineNames) == 1;
   const Subject subject = options.subject.load();
   const SamplerOptions choice = options.sampler.one();

@@ -101,7 +101,7 @@ void add_tables(CLI::App& program, int& exit_code) {
   CLI::App* command = program.add_subcommand("tables", "generates the ROMs and reports the exact error of each");
   command->footer(
       "Writes .mem ($readmemh), SystemVerilog, C, CSV, JSON and a heat map (PNG).\n"
-      "Example: feline tables --output tables/generated");
+      "Example: feline tables --output /tmp");
   command->add_option("--output", options->output, "directory for the files");
   command->add_flag("--json", options->json, "the ROMs and their errors as JSON");
   command->callback([options, &exit_code] { exit_code = run_tables(*options); });

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <optional>
 
 #include "tables/emit.h"
 #include "testbench/atomic_file.h"
@@ -17,7 +18,7 @@ struct VectorsOptions {
   SubjectOptions subject;
   SamplerChoice sampler;
   std::string stage = "unit";
-  std::uint64_t random = 0;
+  std::optional<std::uint64_t> random;
   std::uint64_t seed = 1;
   std::string output = ".";
 };
@@ -89,10 +90,12 @@ int run_vectors(const VectorsOptions& options) {
     bad_input(options.output, "--output", "no directory", "a directory that exists");
   }
   Files files;
-  if (options.random != 0) {
+  if (options.random) {
+    options.subject.refuse_with_random();
     // One sampler and texture: a simulator without a driver loads its state once.
-    RandomBatches batches(options.seed, options.random);
-    const Batch batch = batches.make(0, options.random);
+    RandomBatches batches(options.seed, *options.random);
+    batches.set_choices(options.sampler.random_choices());
+    const Batch batch = batches.make(0, *options.random);
     append_batch(files, options.seed, batch);
     files["memory"] = memory_text(*batch.memory);
   } else {
@@ -118,7 +121,7 @@ void add_vectors(CLI::App& program, int& exit_code) {
   command->footer(
       "Writes one $readmemh file a stage boundary, beats in order: request, group, ... accumulate, and\n"
       "sampler and memory. Field layout: feline_pkg.sv and the first lines of each file.\n"
-      "Example: feline vectors --stage plan --random 1000 --seed 7 --output /tmp");
+      "Example: feline vectors --stage plan --random 1000 --mode table --output /tmp");
   command->add_option("--stage", options->stage, "a stage, or unit for all boundaries")->capture_default_str();
   command->add_option("--random", options->random,
                       "so many random and directed lookups under a random sampler, instead of a scene");

@@ -20,7 +20,7 @@ void add_scene(CLI::App& program, int& exit_code);
 void add_render(CLI::App& program, int& exit_code);
 void add_explain(CLI::App& program, int& exit_code);
 void add_vectors(CLI::App& program, int& exit_code);
-// `arguments` is the command line behind "cosim", from which replay commands are made.
+// `arguments` is the whole command line, from which replay commands are made.
 void add_cosim(CLI::App& program, int& exit_code, const std::vector<std::string>& arguments);
 
 }  // namespace feline

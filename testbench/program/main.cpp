@@ -2,11 +2,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
+#include <cstdio>
+#include <cstring>
 #include <exception>
 
 #include "testbench/error.h"
 #include "testbench/program/commands.h"
+
+namespace {
+
+// Never throws, wherever standard error goes.
+void complain(const std::string& what) { std::fputs(("feline: " + what + "\n").c_str(), stderr); }
+
+}  // namespace
 
 int main(int argc, char** argv) {
   CLI::App program{"Feline: an anisotropic texture unit, its bit-accurate model and their co-simulation."};
@@ -22,7 +32,7 @@ int main(int argc, char** argv) {
   feline::add_render(program, exit_code);
   feline::add_explain(program, exit_code);
   feline::add_vectors(program, exit_code);
-  feline::add_cosim(program, exit_code, {argv + std::min(argc, 2), argv + argc});
+  feline::add_cosim(program, exit_code, {argv, argv + argc});
   try {
     const auto is_named = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
     if (argc > 1 && argv[1][0] != '-' && std::ranges::none_of(program.get_subcommands(nullptr), is_named)) {
@@ -32,11 +42,16 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? feline::kHolds : feline::kBadInput;
   } catch (const feline::InputError& error) {
-    fmt::print(stderr, "feline: {}\n", error.what());
+    complain(error.what());
     return feline::kBadInput;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "feline: {}\n", error.what());
-    return feline::kBroken;
+    // Out of memory, a stale build: never to be taken for a mismatch.
+    complain(error.what());
+    return feline::kBadInput;
+  }
+  if (std::fflush(stdout) != 0) {
+    complain(fmt::format("standard output: {}", std::strerror(errno)));
+    return feline::kBadInput;
   }
   return exit_code;
 }

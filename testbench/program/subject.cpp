@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <charconv>
 
 #include "testbench/error.h"
@@ -23,17 +24,18 @@ int parse_side(const std::string& option, const std::string& text, std::string_v
   return value;
 }
 
-std::vector<std::size_t> parse_list(const std::string& option, const std::vector<std::string>& values,
-                                    std::span<const std::string_view> names) {
-  std::vector<std::size_t> indices;
-  for (const std::string& value : values) {
-    if (value == "all") {
-      for (std::size_t i = 0; i < names.size(); ++i) indices.push_back(i);
-    } else {
-      indices.push_back(parse_name(option, value, names));
-    }
+// Choices of an enumeration: a list, or all of it.
+template <typename Choice>
+std::vector<Choice> parse_list(const std::string& option, const std::string& text, bool lists,
+                               std::span<const std::string_view> names) {
+  std::vector<Choice> choices;
+  if (lists && text == "all") {
+    for (std::size_t i = 0; i < names.size(); ++i) choices.push_back(static_cast<Choice>(i));
+    return choices;
   }
-  return indices;
+  const std::vector<std::string> values = lists ? split_list(text) : std::vector<std::string>{text};
+  for (const std::string& value : values) choices.push_back(static_cast<Choice>(parse_name(option, value, names)));
+  return choices;
 }
 
 }  // namespace
@@ -43,6 +45,16 @@ Size parse_size(const std::string& option, const std::string& text) {
   const std::string_view all = text;
   const int width = parse_side(option, text, all.substr(0, cross));
   return {width, cross == std::string::npos ? width : parse_side(option, text, all.substr(cross + 1))};
+}
+
+std::vector<std::string> split_list(const std::string& text) {
+  std::vector<std::string> parts;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', at), text.size());
+    parts.push_back(text.substr(at, comma - at));
+    at = comma + 1;
+  }
+  return parts;
 }
 
 std::size_t parse_name(const std::string& option, const std::string& value, std::span<const std::string_view> names) {
@@ -97,15 +109,14 @@ Subject SubjectOptions::load(const std::string& scene_name) const {
 }
 
 void SamplerChoice::add_to(CLI::App& command, bool lists) {
-  const auto add = [&](const char* name, std::vector<std::string>& values, std::span<const std::string_view> names) {
-    auto* option = command.add_option(name, values,
-                                      fmt::format("{}{}", fmt::join(names, ", "), lists ? "; a list a,b, or all" : ""));
-    option->delimiter(',')->capture_default_str();
-    if (!lists) option->expected(1);
+  lists_ = lists;
+  const auto add = [&](const char* name, std::string& values, std::span<const std::string_view> names) {
+    const std::string help = fmt::format("{}{}", fmt::join(names, ", "), lists ? "; a list a,b, or all" : "");
+    return command.add_option(name, values, help)->capture_default_str();
   };
-  add("--mode", modes, kModeNames);
-  add("--kernel", kernels, kKernelNames);
-  add("--wrap", wraps, kWrapNames);
+  mode_ = add("--mode", modes, kModeNames);
+  kernel_ = add("--kernel", kernels, kKernelNames);
+  wrap_ = add("--wrap", wraps, kWrapNames);
   command.add_option("--magnify", magnify, "nearest or linear; nearest is the default of mode nearest only");
   command.add_option("--parameters", parameters, "exact, high_quality or high_efficiency (Feline 3.4)")
       ->capture_default_str();
@@ -136,19 +147,33 @@ std::vector<SamplerOptions> SamplerChoice::combinations() const {
   for (std::size_t c = 0; c < border.size(); ++c) options.border[c] = border[c];
 
   std::vector<SamplerOptions> all;
-  for (const std::size_t mode : parse_list("--mode", modes, kModeNames)) {
-    for (const std::size_t kernel : parse_list("--kernel", kernels, kKernelNames)) {
-      for (const std::size_t wrap : parse_list("--wrap", wraps, kWrapNames)) {
-        options.mode = static_cast<Mode>(mode);
-        options.kernel = static_cast<Kernel>(kernel);
-        options.wrap_s = options.wrap_t = static_cast<Wrap>(wrap);
-        options.magnify = magnify.empty() ? (options.mode == Mode::kNearest ? Magnify::kNearest : Magnify::kLinear)
+  for (const Mode mode : parse_list<Mode>("--mode", modes, lists_, kModeNames)) {
+    for (const Kernel kernel : parse_list<Kernel>("--kernel", kernels, lists_, kKernelNames)) {
+      for (const Wrap wrap : parse_list<Wrap>("--wrap", wraps, lists_, kWrapNames)) {
+        options.mode = mode;
+        options.kernel = kernel;
+        options.wrap_s = options.wrap_t = wrap;
+        options.magnify = magnify.empty() ? (mode == Mode::kNearest ? Magnify::kNearest : Magnify::kLinear)
                                           : static_cast<Magnify>(parse_name("--magnify", magnify, kMagnifyNames));
         all.push_back(options);
       }
     }
   }
   return all;
+}
+
+RandomBatches::Choices SamplerChoice::random_choices() const {
+  RandomBatches::Choices choices;
+  if (mode_->count() != 0) choices.modes = parse_list<Mode>("--mode", modes, lists_, kModeNames);
+  if (kernel_->count() != 0) choices.kernels = parse_list<Kernel>("--kernel", kernels, lists_, kKernelNames);
+  if (wrap_->count() != 0) choices.wraps = parse_list<Wrap>("--wrap", wraps, lists_, kWrapNames);
+  return choices;
+}
+
+void SubjectOptions::refuse_with_random() const {
+  for (const auto& [option, value] : {std::pair{"--scene", scene}, {"--gbuffer", gbuffer}, {"--texture", texture}}) {
+    if (!value.empty()) bad_input("command line", option, value, "nothing together with --random");
+  }
 }
 
 SamplerState<kDefaultConfig> prepare_sampler(const SamplerOptions& options, const Texture& texture,

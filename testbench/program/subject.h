@@ -8,6 +8,7 @@
 
 #include "model/memory.h"
 #include "model/sampler.h"
+#include "testbench/cosim/random_batches.h"
 #include "testbench/gbuffer.h"
 #include "testbench/image.h"
 
@@ -34,6 +35,8 @@ struct SubjectOptions {
   bool periodic = false;  // the wrap mode repeats: mip levels of a texture file have no seam
 
   void add_to(CLI::App& command);
+  // Throws InputError when files or a scene were named: random lookups bring their own textures.
+  void refuse_with_random() const;
   Subject load(const std::string& scene_name) const;
   Subject load() const { return load(scene); }
 };
@@ -45,14 +48,17 @@ struct Size {
 };
 Size parse_size(const std::string& option, const std::string& text);
 
+// "a,b" to a and b.
+std::vector<std::string> split_list(const std::string& text);
+
 // One of `names`, as its index; InputError naming the option, and all that is legal.
 std::size_t parse_name(const std::string& option, const std::string& value, std::span<const std::string_view> names);
 
 // The command line's sampler. Lists are for cosim, which runs every combination; "all" is every one.
 struct SamplerChoice {
-  std::vector<std::string> modes{"table"};
-  std::vector<std::string> kernels{"bilinear"};
-  std::vector<std::string> wraps{"repeat"};
+  std::string modes = "table";
+  std::string kernels = "bilinear";
+  std::string wraps = "repeat";
   std::string magnify;
   std::string parameters = "exact";
   std::optional<double> length_factor, blur_factor, alias_factor;
@@ -66,7 +72,15 @@ struct SamplerChoice {
   // Every combination asked for, in the order mode, kernel, wrap.
   std::vector<SamplerOptions> combinations() const;
   SamplerOptions one() const { return combinations().front(); }
-  bool repeats() const { return wraps == std::vector<std::string>{"repeat"}; }
+  bool repeats() const { return wraps == "repeat"; }
+  // For random samplers: what was asked for, and of what was not, everything.
+  RandomBatches::Choices random_choices() const;
+
+ private:
+  bool lists_ = false;
+  const CLI::Option* mode_ = nullptr;
+  const CLI::Option* kernel_ = nullptr;
+  const CLI::Option* wrap_ = nullptr;
 };
 
 // make_sampler with its complaint turned into an InputError.

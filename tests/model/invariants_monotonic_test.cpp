@@ -120,7 +120,7 @@ void expect_bounded_falls(Mode mode) {
               mode_name(mode).c_str(), worst, worst_exact, 100 * worst_of_bound, falls);
 }
 
-TEST(model_invariants, ext_level_falls_by_at_most_an_octave) {
+TEST(model_invariants, ext_level_falls_within_its_bound) {
   const SeedTrace trace(__FILE__, __LINE__);
   expect_bounded_falls(Mode::kExt);
 }

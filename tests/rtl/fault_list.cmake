@@ -50,6 +50,8 @@ feline_fault(walk probes_run_the_other_way feline_probe_position
 feline_fault(walk column_one_low feline_walk
              "(distance + StepWidth'(1)) >> 1" "(distance + StepWidth'(1))" "(distance)")
 
+feline_fault(walk plan_taken_with_its_first_probe feline_walk "beat_ready && last" "beat_ready && last" "beat_ready")
+
 feline_fault(address clamp_at_one feline_wrap "whole > 0 ? One" "whole > 0" "whole > 1")
 feline_fault(address mirror_not_turned feline_wrap
              "position_i[Fraction] ? One - repeated" "One - repeated" "repeated")
@@ -75,3 +77,8 @@ feline_fault(filter gaussian_on_nearest_texels feline_filter
 
 feline_fault(accumulate sum_not_rounded feline_accumulate "weighted_q.first ? Half" "Half" "SumWidth'(0)")
 feline_fault(accumulate sum_not_started_anew feline_accumulate "weighted_q.first ?" "weighted_q.first" "1'b0")
+feline_fault(accumulate pixel_for_every_probe feline_accumulate
+             "weighted_valid && weighted_q.last)" "weighted_valid && weighted_q.last" "weighted_valid")
+feline_fault(accumulate pixel_lost_when_stalled feline_accumulate
+             "beat_ready || !weighted_q.last" "beat_ready || !weighted_q.last" "1'b1")
+feline_fault(group never_busy feline_unit "inside_q != '0" "inside_q != '0" "1'b0")

@@ -1,18 +1,20 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Yosys writes the unit as Verilog, Icarus runs it on golden vectors: a second front end and a second simulator.
-# usage: tests/rtl/netlist.sh WORK_DIRECTORY [LOOKUPS] [SEED]
+# usage: tests/rtl/netlist.sh WORK_DIRECTORY [LOOKUPS] [MODES]
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-work=${1:?usage: tests/rtl/netlist.sh WORK_DIRECTORY [LOOKUPS] [SEED]}
+work=${1:?usage: tests/rtl/netlist.sh WORK_DIRECTORY [LOOKUPS] [MODES]}
 lookups=${2:-40}
-seeds=${3:-1 2 3 4}
+modes=${3:-nearest bilinear trilinear ext simple table}
 mkdir -p "$work"
 rtl="tables/generated/feline_pkg.sv $(echo tables/generated/feline_rom_*.sv) $(echo rtl/*.sv)"
 yosys -q -p "read_verilog -sv -noautowire $rtl; hierarchy -check -top feline_unit; proc; flatten; opt_clean;
              write_verilog -noattr $work/feline_unit.v"
-for seed in $seeds; do
-  build/feline vectors --random "$lookups" --seed "$seed" --output "$work" >/dev/null
+seed=0
+for mode in $modes; do
+  seed=$((seed + 1))
+  build/feline vectors --random "$lookups" --mode "$mode" --seed "$seed" --output "$work" >/dev/null
   count() { grep -vc '^//' "$work/$1.hex"; }
   width() { sed -n '1s/.* beats, \([0-9]*\) bits.*/\1/p' "$work/$1.hex"; }
   line_width=$(sed -n 's/.* LineWidth = \([0-9]*\);.*/\1/p' tables/generated/feline_pkg.sv)

@@ -28,6 +28,9 @@ module netlist_tb;
   wire         memory_response_ready;
   reg          memory_response_valid = 1'b0;
   reg [511:0]  memory_response_data = 512'd0;
+  reg          memory_ready = 1'b0;
+  reg          pixel_ready = 1'b0;
+  integer      stalls = 1;
   integer      offered = 0;
   integer      taken = 0;
   integer      idle = 0;
@@ -37,11 +40,11 @@ module netlist_tb;
     .clk_i(clk), .rst_i(rst), .sampler_i(sampler[0]), .flush_i(1'b0),
     .request_valid_i(!rst && offered < Requests), .request_ready_o(request_ready),
     .request_i(request[offered < Requests ? offered : 0]),
-    .memory_request_valid_o(memory_request_valid), .memory_request_ready_i(1'b1),
+    .memory_request_valid_o(memory_request_valid), .memory_request_ready_i(memory_ready),
     .memory_request_line_o(memory_request_line),
     .memory_response_valid_i(memory_response_valid), .memory_response_ready_o(memory_response_ready),
     .memory_response_data_i(memory_response_data),
-    .accumulate_valid_o(pixel_valid), .accumulate_ready_i(1'b1), .accumulate_o(pixel_got)
+    .accumulate_valid_o(pixel_valid), .accumulate_ready_i(pixel_ready), .accumulate_o(pixel_got)
   );
 
   always #5 clk = !clk;
@@ -49,14 +52,16 @@ module netlist_tb;
   always @(posedge clk) begin
     if (!rst) begin
       if (offered < Requests && request_ready) offered <= offered + 1;
-      if (memory_request_valid) begin
+      memory_ready <= $random(stalls);
+      pixel_ready  <= $random(stalls);
+      if (memory_request_valid && memory_ready) begin
         memory_response_valid <= 1'b1;
         memory_response_data  <= memory[memory_request_line];
       end else if (memory_response_ready) begin
         memory_response_valid <= 1'b0;
       end
-      idle <= pixel_valid ? 0 : idle + 1;
-      if (pixel_valid) begin
+      idle <= pixel_valid && pixel_ready ? 0 : idle + 1;
+      if (pixel_valid && pixel_ready) begin
         // X in the result differs, too: !== compares four values.
         if (pixel_got !== pixel[taken]) begin
           $display("FAIL: pixel %0d: netlist %h, model %h", taken, pixel_got, pixel[taken]);

@@ -80,6 +80,10 @@ TEST(program, values_out_of_range) {
   expect_refused(dir, "cosim --stalls 1 --size 8", {"--stalls", "1", "0 to 0.95"});
   expect_refused(dir, "cosim --memory-latency 0 --size 8", {"--memory-latency", "0", "1 to"});
   expect_refused(dir, "cosim --size 8 --replay 64", {"--replay", "64", "0 to 63"});
+  expect_refused(dir, "cosim --random 0", {"--random"});
+  expect_refused(dir, "cosim --random -5", {"--random"});
+  expect_refused(dir, "cosim --random 5 --texture a.png", {"--texture", "a.png", "--random"});
+  expect_refused(dir, "render --size 8 --output " + path(dir, "a.jpg"), {"a.jpg", ".png"});
   expect_refused(dir, "explain --scene bricks --size 8 --pixel 8,0", {"--pixel", "8,0", "7,7"});
 }
 
@@ -111,6 +115,7 @@ TEST(program, outputs_that_cannot_be_written) {
   expect_refused(dir, "render --size 64 --output /dev/full", {"/dev/full", "No space left"});
   expect_refused(dir, "render --size 256 --output " + path(dir, "big.png"), {"big.png", "File too large"},
                  "ulimit -f 4;");
+  expect_refused(dir, "cosim --size 8 --json 3>&1 > /dev/full 2>&3; ( exit $? )", {"No space left"});
   expect_refused(dir, "scene --output /nonexistent", {"--output", "directory"});
   expect_refused(dir, "vectors --output /nonexistent", {"--output", "directory"});
   expect_refused(dir, "tables --output /nonexistent", {"--output", "directory"});
@@ -159,6 +164,15 @@ TEST(program, cosim_json_has_the_figures) {
   EXPECT_EQ(json["beats"]["accumulate"], json["lookups"]);
   EXPECT_GT(json["cycles"], json["probes"]);
   EXPECT_GT(json["seconds"], 0.0);
+}
+
+TEST(program, random_choices_are_kept) {
+  const auto probes = [](const std::string& mode) {
+    const Outcome outcome = run("cosim --random 500 --mode " + mode + " --json");
+    return nlohmann::json::parse(outcome.text)["probes"].get<int>();
+  };
+  EXPECT_EQ(probes("nearest"), 500);
+  EXPECT_GT(probes("table"), 700);
 }
 
 TEST(program, same_input_same_bytes) {
