@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 build=${1:?usage: tests/clang.sh BUILD_DIRECTORY}
-includes=(-I. -isystem /usr/share/verilator/include -isystem "$build/faulty")
+includes=(-I. -isystem /usr/share/verilator/include -isystem /usr/share/verilator/include/vltstd -isystem "$build/faulty")
 for library in fast trace faulty; do
   includes+=(-isystem "$build/CMakeFiles/feline_$library.dir/Vfeline_$library.dir")
 done
