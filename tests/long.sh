@@ -25,10 +25,6 @@ for pid in "${pids[@]}"; do wait "$pid"; done
 step "the netlist in Icarus"
 tests/rtl/netlist.sh build/netlist
 
-step "sanitizers: address, undefined behaviour"
-feline_build build-sanitize RelWithDebInfo all -DFELINE_SANITIZE=ON
-ctest --test-dir build-sanitize --output-on-failure --no-tests=error -j 2 -LE long -R "$regex"
-
 step "clang++"
 tests/clang.sh build
 
