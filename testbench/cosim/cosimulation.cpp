@@ -151,8 +151,10 @@ bool Cosimulation::run(const Batch& batch, const PixelSink& sink) {
     }
     if (outputs.accumulate_valid && inputs.accumulate_ready) --inside_;
     if (memory.response_valid() && outputs.memory_response_ready) memory.take_response();
-    if (outputs.memory_request_valid && memory.request_ready())
-      memory.take_request(outputs.memory_request_line, cycle_);
+    if (outputs.memory_request_valid && memory.request_ready() &&
+        !memory.take_request(outputs.memory_request_line, cycle_)) {
+      holds = holds && fail(Stage::kFetch, "a read beyond the texture's last line");
+    }
     ++cycle_;
     if (!holds) {
       memory_reads_ += memory.requests();

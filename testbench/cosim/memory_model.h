@@ -24,7 +24,7 @@ class MemoryModel {
   std::span<const std::uint8_t> response() const { return memory_.line(waiting_.front().line); }
 
   // False when there is no such line.
-  bool take_request(std::uint32_t line, std::uint64_t cycle);
+  [[nodiscard]] bool take_request(std::uint32_t line, std::uint64_t cycle);
   void take_response();
   std::uint64_t requests() const { return requests_; }
 

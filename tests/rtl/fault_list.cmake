@@ -67,6 +67,8 @@ feline_fault(address fraction_rounds_down feline_texel_coordinate
 feline_fault(fetch tag_ignored feline_tile_cache
              "valid_q[set] && line_q[set] == line_i[i*LineWidth +: LineWidth]"
              "line_q[set] == line_i[i*LineWidth +: LineWidth]" "1'b1")
+feline_fault(fetch line_made_wrong_inside_the_cache feline_blocking_cache
+             "line_q <= missing_line" "missing_line" "~missing_line")
 feline_fault(fetch wrong_texel_of_word feline_decode_texel
              "word_i[column_i*CodeWidth +: CodeWidth]" "column_i" "column_i ^ 2'd1")
 
