@@ -26,7 +26,7 @@ Picture render_rtl(const Subject& subject, const SamplerState<kUnit>& sampler, b
   job.scene = subject.name;
   job.width = subject.gbuffer.width;
   job.lookups = job.batch_lookups = subject.gbuffer.lookups.size();
-  job.command = "feline cosim with the same options, ";
+  job.command = "feline cosim with the scene, file and sampler options of this command, and";
   job.batch = [&](std::uint64_t) { return Batch{sampler, &subject.memory, subject.gbuffer.lookups, 0}; };
   Progress progress("rendering", job.lookups);
   CosimResult result = run_job(job, make_fast_unit, {}, std::nullopt, true, &progress);

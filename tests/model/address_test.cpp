@@ -38,7 +38,7 @@ std::int64_t random_position(Random& random, std::int64_t size) {
 }
 
 // 1,000,000 positions: anywhere, near the texture, at texel edges and centres, at whole textures; any size.
-TEST(model_address, equals_exact_arithmetic) {
+TEST(address, equals_exact_arithmetic) {
   const SeedTrace trace(__FILE__, __LINE__);
   Random random = random_for("model_address.equals_exact_arithmetic");
   for (int i = 0; i < 1000000 && !HasFatalFailure(); ++i) {
@@ -59,7 +59,7 @@ TEST(model_address, equals_exact_arithmetic) {
 
 // Each of the sizes 1 .. 9 and 16384 at every quarter texel and a unit to either side, from -2 to 3 textures (to the
 // first 16 texels and the last 16 of each texture when it is wide), in all wrap modes, linear and nearest.
-TEST(model_address, lattice_of_positions) {
+TEST(address, lattice_of_positions) {
   for (const int size : {1, 2, 3, 4, 5, 6, 7, 8, 9, 16384}) {
     for (int wrap = 0; wrap < 4; ++wrap) {
       const State state = state_of(size, 1, static_cast<Wrap>(wrap), Wrap::kRepeat);
@@ -82,7 +82,7 @@ TEST(model_address, lattice_of_positions) {
 }
 
 // In words: what each wrap mode makes of a texture of 4 texels.
-TEST(model_address, wrap_modes_by_example) {
+TEST(address, wrap_modes_by_example) {
   const auto columns = [](double s, Wrap wrap, bool linear) {
     WalkBeat<kDefaultConfig> walked;
     walked.linear = walked.linear.from_raw(linear);

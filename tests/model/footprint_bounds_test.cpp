@@ -42,13 +42,13 @@ void print(const char* mode, const RatioBounds& found) {
 }
 
 // Every fifth value of three components: a million quadruples.
-TEST(model_footprint_bounds, hold_on_a_lattice) {
+TEST(footprint_bounds, hold_on_a_lattice) {
   expect_within(bounds_of(Mode::kSimple, 5), kSimpleRatios);
   expect_within(bounds_of(Mode::kTable, 5), kTableRatios);
 }
 
 // All 126,000,000 quadruples up to symmetry: these are the bounds, to six digits.
-TEST(model_footprint_bounds_long, are_those_of_all_quadruples) {
+TEST(footprint_bounds_long, are_those_of_all_quadruples) {
   for (const Mode mode : {Mode::kSimple, Mode::kTable}) {
     const RatioBounds found = bounds_of(mode, 1);
     const RatioBounds& stated = mode == Mode::kSimple ? kSimpleRatios : kTableRatios;

@@ -58,7 +58,7 @@ std::array<double, 2> cell_errors() {
 
 // 1,000,000 quadruples. The stored radii are off by no more than the table's own errors, plus those of the linear
 // length: 1.22 % of what is stored, and 2.4 % of the ratio, by which a row can be missed.
-TEST(model_footprint_table, radii_are_within_the_tables_errors) {
+TEST(footprint_table, radii_are_within_the_tables_errors) {
   const SeedTrace trace(__FILE__, __LINE__);
   Random random = random_for("model_footprint_table.radii");
   const State state = state_of(Mode::kTable);
@@ -83,7 +83,7 @@ TEST(model_footprint_table, radii_are_within_the_tables_errors) {
 
 // Erratum 1. The axis leans towards the shorter vector, in all four quadrants and for either long vector; the printed
 // code turns it by 90 degrees of v or the wrong way.
-TEST(model_footprint_table, axis_turns_the_right_way_in_every_quadrant) {
+TEST(footprint_table, axis_turns_the_right_way_in_every_quadrant) {
   const State state = state_of(Mode::kTable);
   int compared = 0;
   double worst = 0;
@@ -112,7 +112,7 @@ TEST(model_footprint_table, axis_turns_the_right_way_in_every_quadrant) {
 }
 
 // Bar 4 again, in texels: the vector of (13, 0) and (12, 5).
-TEST(model_footprint_table, axis_of_the_papers_example) {
+TEST(footprint_table, axis_of_the_papers_example) {
   const Quad quad{104, 0, 96, 40};
   const auto beat = footprint<kDefaultConfig>(group_beat(quad, -3), state_of(Mode::kTable));
   EXPECT_LT(axis_error(beat, ellipse_of(quad)), 2);

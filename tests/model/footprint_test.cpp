@@ -24,14 +24,14 @@ void expect_as_oracle(const Quad& quad, Mode mode) {
 }
 
 // 1,000,000 quadruples; a quarter uniform, a quarter small, a quarter nearly parallel, a quarter nearly circles.
-TEST(model_footprint, equals_exact_arithmetic) {
+TEST(footprint, equals_exact_arithmetic) {
   const SeedTrace trace(__FILE__, __LINE__);
   Random random = random_for("model_footprint.equals_exact_arithmetic");
   for (int i = 0; i < 1000000 && !HasFatalFailure(); ++i) expect_as_oracle(random_quad(random), random.pick(kModes));
 }
 
 // Every quadruple of edge mantissas in the three modes that look at both vectors: 3 * 21^4 = 583,443.
-TEST(model_footprint, lattice_of_edge_mantissas) {
+TEST(footprint, lattice_of_edge_mantissas) {
   constexpr std::array<int, 21> kEdges{-127, -126, -85, -64, -63, -45, -32, -7, -2,  -1, 0,
                                        1,    2,    7,   32,  44,  45,  63,  64, 120, 127};
   for (const int a : kEdges) {
@@ -49,7 +49,7 @@ TEST(model_footprint, lattice_of_edge_mantissas) {
 // Erratum 10. Over all vectors of 8-bit mantissas the larger of the two parts is within the extremes of the continuous
 // function: at b = 5a/32 the first part is sqrt(1 + 25/1024) of the length, at the second's own direction
 // (109/128, 35/64) it is |(109, 70)|/128, and where they cross, b = 19a/50, it is least.
-TEST(model_footprint, length_error_extremes) {
+TEST(footprint, length_error_extremes) {
   double most = 0;
   double least = 0;
   for (int a = 0; a <= 127; ++a) {
@@ -79,7 +79,7 @@ std::int64_t printed_length(std::int64_t a, std::int64_t b) {
 }
 
 // Why the larger part is taken: the printed choice falls where b reaches 3a/8; ours never does, over all 2^14 pairs.
-TEST(model_footprint, length_is_monotonic_and_the_printed_one_is_not) {
+TEST(footprint, length_is_monotonic_and_the_printed_one_is_not) {
   EXPECT_GT(printed_length(120, 44), printed_length(120, 45));
   int falls = 0;
   for (int a = 0; a <= 127; ++a) {
@@ -94,7 +94,7 @@ TEST(model_footprint, length_is_monotonic_and_the_printed_one_is_not) {
 }
 
 // Bar 4: (13, 0) and (12, 5) texels a pixel.
-TEST(model_footprint, the_papers_example) {
+TEST(footprint, the_papers_example) {
   const Quad quad{104, 0, 96, 40};  // times 2^-3
   const auto exact = oracle::ellipse(12.0 / 13 * std::hypot(1, 5.0 / 12), std::atan2(5.0, 12.0));
   EXPECT_NEAR(13 * exact[3], 18.028, 5e-4);
@@ -110,7 +110,7 @@ TEST(model_footprint, the_papers_example) {
 }
 
 // Erratum 3. Equal lengths: y is the long vector. Zero vectors have an ellipse.
-TEST(model_footprint, ties_and_zeros) {
+TEST(footprint, ties_and_zeros) {
   for (const Mode mode : {Mode::kExt, Mode::kSimple, Mode::kTable}) {
     const auto tie = footprint<kDefaultConfig>(group_beat({100, 0, 0, 100}, 0), state_of(mode));
     EXPECT_EQ(tie.major_u.raw(), 0) << mode_name(mode);

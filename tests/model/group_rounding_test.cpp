@@ -95,7 +95,7 @@ Measured measure(Rounding rounding) {
   return measured;
 }
 
-TEST(model_group, outward_rounding_is_the_only_monotonic_one) {
+TEST(group, outward_rounding_is_the_only_monotonic_one) {
   constexpr const char* kNames[] = {"truncation", "nearest", "outward"};
   std::array<Measured, 3> all;
   std::printf("%-12s%22s%10s%10s%14s%10s\n", "rounding", "level, octaves: mean", "bias", "worst", "major, mean",
@@ -113,7 +113,7 @@ TEST(model_group, outward_rounding_is_the_only_monotonic_one) {
   EXPECT_EQ(all[2].falls, 0);
 }
 
-TEST(model_group, truncation_and_nearest_shrink_a_growing_footprint) {
+TEST(group, truncation_and_nearest_shrink_a_growing_footprint) {
   const auto falls = [](Gradients before, double growth, Rounding rounding) {
     Gradients after = before;
     for (auto& value : after) value *= growth;

@@ -30,7 +30,7 @@ void expect_as_oracle(const Lookup& lookup, const State& state) {
 }
 
 // 1,000,000 lookups, a quarter of each kind, on random sizes and wrap modes.
-TEST(model_group, equals_exact_arithmetic) {
+TEST(group, equals_exact_arithmetic) {
   const SeedTrace trace(__FILE__, __LINE__);
   Random random = random_for("model_group.equals_exact_arithmetic");
   for (int i = 0; i < 1000000 && !HasFatalFailure(); ++i) {
@@ -42,7 +42,7 @@ TEST(model_group, equals_exact_arithmetic) {
 }
 
 // Every pair of the float lattice in every pair of the six operands, the others tame; all wrap modes.
-TEST(model_group, lattice_of_every_float_class_in_pairs) {
+TEST(group, lattice_of_every_float_class_in_pairs) {
   for (int first = 0; first < 6; ++first) {
     for (int second = first + 1; second < 6; ++second) {
       for (const auto a : kFloatLattice) {
@@ -63,7 +63,7 @@ TEST(model_group, lattice_of_every_float_class_in_pairs) {
 }
 
 // A unit in the last place beyond a mantissa counts, and 127 + epsilon moves the exponent.
-TEST(model_group, rounds_mantissas_outward) {
+TEST(group, rounds_mantissas_outward) {
   const State state = state_of(1, 1, Wrap::kRepeat, Wrap::kRepeat);
   const auto exact = group_of({0, 0, 100, 13, -5, 0}, state);
   EXPECT_EQ(exact.exponent.raw(), 0);
@@ -83,7 +83,7 @@ TEST(model_group, rounds_mantissas_outward) {
   EXPECT_EQ(beyond.dvdx.raw(), 2);
 }
 
-TEST(model_group, unbounded_and_tiny_footprints) {
+TEST(group, unbounded_and_tiny_footprints) {
   const State state = state_of(256, 256, Wrap::kRepeat, Wrap::kClampToEdge);
   for (const auto bits : {0x7f800000U, 0xff800000U, 0x7fc00000U, 0xffffffffU}) {
     for (int operand = 0; operand < 4; ++operand) {
@@ -110,7 +110,7 @@ TEST(model_group, unbounded_and_tiny_footprints) {
   EXPECT_EQ(least.dudx.raw(), 64);
 }
 
-TEST(model_group, coordinates_saturate_wrap_and_round) {
+TEST(group, coordinates_saturate_wrap_and_round) {
   const State repeat = state_of(256, 256, Wrap::kRepeat, Wrap::kMirroredRepeat);
   const State clamp = state_of(256, 256, Wrap::kClampToEdge, Wrap::kClampToBorder);
   constexpr std::int64_t kOne = 1 << 24;

@@ -81,7 +81,7 @@ Lookup random_lookup(Random& random, const State& state) {
 }
 
 // 1,000,000 pairs: neither the level before clamps nor the one sampled ever falls, bias and clamps included.
-TEST(model_invariants, isotropic_level_never_falls) {
+TEST(invariants, isotropic_level_never_falls) {
   const SeedTrace trace(__FILE__, __LINE__);
   Random random = random_for("model_invariants.isotropic_level_never_falls");
   for (int i = 0; i < 1000000; ++i) {
@@ -120,23 +120,23 @@ void expect_bounded_falls(Mode mode) {
               mode_name(mode).c_str(), worst, worst_exact, 100 * worst_of_bound, falls);
 }
 
-TEST(model_invariants, ext_level_falls_within_its_bound) {
+TEST(invariants, ext_level_falls_within_its_bound) {
   const SeedTrace trace(__FILE__, __LINE__);
   expect_bounded_falls(Mode::kExt);
 }
 
-TEST(model_invariants, simple_level_falls_within_its_bound) {
+TEST(invariants, simple_level_falls_within_its_bound) {
   const SeedTrace trace(__FILE__, __LINE__);
   expect_bounded_falls(Mode::kSimple);
 }
 
-TEST(model_invariants, table_level_falls_within_its_bound) {
+TEST(invariants, table_level_falls_within_its_bound) {
   const SeedTrace trace(__FILE__, __LINE__);
   expect_bounded_falls(Mode::kTable);
 }
 
 // With the paper's exact parameters: what the bounds are.
-TEST(model_invariants, fall_bounds_of_the_exact_parameters) {
+TEST(invariants, fall_bounds_of_the_exact_parameters) {
   const auto bound = [](Mode mode) {
     return fall_bound(oracle::sampler_state(plain_options(mode), TexelFormat::kR8, false, 256, 256, 9, {}));
   };
@@ -147,7 +147,7 @@ TEST(model_invariants, fall_bounds_of_the_exact_parameters) {
 }
 
 // Every pair of float classes among the derivatives, grown by factors from 1 + 2^-23 to 3: no class breaks the order.
-TEST(model_invariants, isotropic_lattice) {
+TEST(invariants, isotropic_lattice) {
   const State state = oracle::sampler_state(plain_options(Mode::kTrilinear), TexelFormat::kR8, false, 16384, 3, 15, {});
   for (int first = 0; first < 4; ++first) {
     for (int second = first + 1; second < 4; ++second) {

@@ -25,7 +25,7 @@ bool is_clamped(const FootprintBeat<kDefaultConfig>& footprint) {
 
 // Invariant 3: 1,000,000 lookups, all modes, parameters and limits. Mantissas stay, the exponent moves by exactly k,
 // and so does the sampled level while nothing clamps it.
-TEST(model_invariants, scaling_by_powers_of_two_moves_the_level_exactly) {
+TEST(invariants, scaling_by_powers_of_two_moves_the_level_exactly) {
   const SeedTrace trace(__FILE__, __LINE__);
   Random random = random_for("model_invariants.scaling");
   int levels_compared = 0;
@@ -75,7 +75,7 @@ bool is_tie(const GroupBeat<kDefaultConfig>& grouped) {
 }
 
 // Invariant 4: 1,000,000 lookups of every kind. The pixel stays the same, bit for bit.
-TEST(model_invariants, negating_a_gradient_and_swapping_them_change_nothing) {
+TEST(invariants, negating_a_gradient_and_swapping_them_change_nothing) {
   const SeedTrace trace(__FILE__, __LINE__);
   Random random = random_for("model_invariants.symmetry");
   const auto scenes = make_scenes(random, Content::kNoise);
@@ -107,7 +107,7 @@ TEST(model_invariants, negating_a_gradient_and_swapping_them_change_nothing) {
 }
 
 // The same over every quadruple of edge mantissas, at the footprint: vectors negate, radii stay.
-TEST(model_invariants, symmetry_lattice) {
+TEST(invariants, symmetry_lattice) {
   constexpr std::array<int, 15> kEdges{-127, -85, -64, -45, -7, -2, -1, 0, 1, 2, 7, 32, 64, 120, 127};
   for (const Mode mode : {Mode::kTrilinear, Mode::kExt, Mode::kSimple, Mode::kTable}) {
     const State state = state_of(mode);

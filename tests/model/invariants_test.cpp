@@ -54,7 +54,7 @@ void expect_constant(const Lookup& lookup, const State& state, const Scene& scen
 }
 
 // Invariant 1: 1,000,000 lookups into 54 constant textures.
-TEST(model_invariants, constant_texture_comes_back_exactly) {
+TEST(invariants, constant_texture_comes_back_exactly) {
   const SeedTrace trace(__FILE__, __LINE__);
   Random random = random_for("model_invariants.constant");
   const auto scenes = make_scenes(random, Content::kConstant);
@@ -64,7 +64,7 @@ TEST(model_invariants, constant_texture_comes_back_exactly) {
   }
 }
 
-TEST(model_invariants, constant_texture_lattice) {
+TEST(invariants, constant_texture_lattice) {
   Random random = random_for("model_invariants.constant_lattice");
   const auto scenes = make_scenes(random, Content::kConstant);
   for_each_pair_of_classes([&](const Lookup& lookup) {
@@ -94,7 +94,7 @@ void expect_bounds_and_status(const Lookup& lookup, const State& state, const Sc
 }
 
 // Invariants 2, 6 and 7: 1,000,000 lookups of every kind into noise and into texels of 0 and 255 only.
-TEST(model_invariants, bounds_weights_and_status) {
+TEST(invariants, bounds_weights_and_status) {
   const SeedTrace trace(__FILE__, __LINE__);
   Random random = random_for("model_invariants.bounds");
   auto scenes = make_scenes(random, Content::kNoise);
@@ -107,7 +107,7 @@ TEST(model_invariants, bounds_weights_and_status) {
 
 // Invariant 7: a lookup of any float classes leaves nothing behind: the same tame lookup after each of them gives the
 // same pixel, and the lookup itself gives the same pixel twice.
-TEST(model_invariants, lattice_of_float_classes_leaves_nothing_behind) {
+TEST(invariants, lattice_of_float_classes_leaves_nothing_behind) {
   Random random = random_for("model_invariants.lattice");
   const auto scenes = make_scenes(random, Content::kNoise);
   for_each_pair_of_classes([&](const Lookup& lookup) {
@@ -125,7 +125,7 @@ TEST(model_invariants, lattice_of_float_classes_leaves_nothing_behind) {
 
 // Invariant 7, in values: NaN reads as 0, an infinite coordinate as the far edge or 0, an unbounded footprint as the
 // coarsest level.
-TEST(model_invariants, what_non_finite_operands_read) {
+TEST(invariants, what_non_finite_operands_read) {
   Random random(3);
   const Scene scene = make_scene(random, 32, 32, TexelFormat::kR8, false, Content::kNoise);
   SamplerOptions options = plain_options(Mode::kTable);

@@ -30,7 +30,7 @@ void expect_as_oracle(const FootprintBeat<kDefaultConfig>& shaped, const State& 
 
 // 1,000,000 footprints of random quadruples in every mode, parameter set, limit, bias and size; exponents mostly where
 // radii are 1/4 to 2^16 texels.
-TEST(model_plan, equals_exact_arithmetic) {
+TEST(plan, equals_exact_arithmetic) {
   const SeedTrace trace(__FILE__, __LINE__);
   Random random = random_for("model_plan.equals_exact_arithmetic");
   for (int i = 0; i < 1000000 && !HasFatalFailure(); ++i) {
@@ -44,7 +44,7 @@ TEST(model_plan, equals_exact_arithmetic) {
 
 // The largest footprints that still take more than one probe: a tiny lengthFactor shortens a line of 2^20 texels and
 // more on a texture one texel wide, and a half step has more bits before the point than after it.
-TEST(model_plan, shortened_lines_on_a_narrow_texture) {
+TEST(plan, shortened_lines_on_a_narrow_texture) {
   int several = 0;
   for (int length = 1; length <= 40; ++length) {
     SamplerOptions options = plain_options(Mode::kSimple);
@@ -72,7 +72,7 @@ TEST(model_plan, shortened_lines_on_a_narrow_texture) {
 //
 // Radii at the corners of every comparison: minor 0, minor = major, and ratios k/2 and k/8 with a unit to either side,
 // at every exponent, in the modes and parameter sets.
-TEST(model_plan, lattice_of_ratios) {
+TEST(plan, lattice_of_ratios) {
   constexpr std::array<std::int64_t, 6> kMajors{0, 8192, 8193, 12000, 16383, 32767};
   for (const Mode mode : {Mode::kTrilinear, Mode::kExt, Mode::kSimple}) {
     for (const ProbeParameters& probes : {kExact, kHighQuality, kHighEfficiency}) {
@@ -106,7 +106,7 @@ TEST(model_plan, lattice_of_ratios) {
 
 // Every radius, at an exponent without clamps: log2 of it, correctly rounded after rounding to 9 significant bits, so
 // within 1/512 octave for the table and log2(1 + 2^-9) < 1/354 for the radius.
-TEST(model_plan, level_of_every_radius) {
+TEST(plan, level_of_every_radius) {
   for (std::int64_t radius = 1; radius <= 32767; ++radius) {
     const double got = level_of_radius<kDefaultConfig>(radius, 3).value();
     const double want = std::log2(static_cast<double>(radius) / 128 * 8);
@@ -119,7 +119,7 @@ TEST(model_plan, level_of_every_radius) {
 }
 
 // Bar 4: Simple takes 4 probes and Table as many as its radii say, near the ideal 9.
-TEST(model_plan, the_papers_example) {
+TEST(plan, the_papers_example) {
   const auto probes = [](Mode mode) {
     SamplerOptions options = plain_options(mode);
     const State state = oracle::sampler_state(options, TexelFormat::kR8, false, 256, 256, 9, {});
@@ -135,7 +135,7 @@ TEST(model_plan, the_papers_example) {
 }
 
 // Erratum 6: the two roundings are two modes. Errata 7: the radius after each.
-TEST(model_plan, both_roundings_of_the_probe_count) {
+TEST(plan, both_roundings_of_the_probe_count) {
   const auto plan_of = [](std::int64_t major, std::int64_t minor, const ProbeParameters& probes, int limit) {
     SamplerOptions options = plain_options(Mode::kSimple);
     options.probes = probes;
@@ -159,7 +159,7 @@ TEST(model_plan, both_roundings_of_the_probe_count) {
               0.02);
 }
 
-TEST(model_plan, bias_clamps_and_nearest_levels) {
+TEST(plan, bias_clamps_and_nearest_levels) {
   const auto level = [](Mode mode, double bias, double least, double most, std::int64_t radius, int levels) {
     SamplerOptions options = plain_options(mode);
     options.level_bias = bias;

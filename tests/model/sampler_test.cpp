@@ -15,7 +15,7 @@ namespace feline {
 namespace {
 
 // 100,000 random options on textures of every shape and format.
-TEST(model_sampler, equals_exact_arithmetic) {
+TEST(sampler, equals_exact_arithmetic) {
   const SeedTrace trace(__FILE__, __LINE__);
   Random random = random_for("model_sampler.equals_exact_arithmetic");
   const auto scenes = make_scenes(random, Content::kNoise);
@@ -32,7 +32,7 @@ TEST(model_sampler, equals_exact_arithmetic) {
 }
 
 // Every size: reciprocal * 2^-15 * 2^-shift is 1/size to half a unit, and normalized.
-TEST(model_sampler, reciprocal_of_every_size) {
+TEST(sampler, reciprocal_of_every_size) {
   for (int size = 1; size <= 16384; ++size) {
     const Texture texture{
         TexelFormat::kR8, false, {{size, 1, std::vector<std::uint8_t>(static_cast<std::size_t>(size))}}};
@@ -45,7 +45,7 @@ TEST(model_sampler, reciprocal_of_every_size) {
   }
 }
 
-TEST(model_sampler, named_parameter_sets_are_the_papers) {
+TEST(sampler, named_parameter_sets_are_the_papers) {
   EXPECT_EQ(kHighQuality.length_factor, 0.9625);
   EXPECT_EQ(kHighQuality.blur_factor, 1.15625);
   EXPECT_EQ(kHighQuality.alias_factor, 1.1532);
@@ -62,7 +62,7 @@ struct Refusal {
   std::function<void(SamplerOptions&, Texture&)> spoil;
 };
 
-TEST(model_sampler, refuses_what_the_machine_cannot_hold) {
+TEST(sampler, refuses_what_the_machine_cannot_hold) {
   const double nan = std::nan("");
   const std::vector<Refusal> refusals{{"lengthFactor", [](auto& o, auto&) { o.probes.length_factor = 0; }},
                                       {"lengthFactor", [](auto& o, auto&) { o.probes.length_factor = 1.01; }},
@@ -101,7 +101,7 @@ TEST(model_sampler, refuses_what_the_machine_cannot_hold) {
 }
 
 // Tiles of 4 x 4, rows of tiles, levels one after the other: each texel once, and nothing else but zeros.
-TEST(model_memory, layout_holds_every_texel_once) {
+TEST(memory, layout_holds_every_texel_once) {
   Random random(2);
   for (const auto& scene : make_scenes(random, Content::kNoise)) {
     const auto channels = static_cast<std::size_t>(bytes_per_texel(scene.texture.format));

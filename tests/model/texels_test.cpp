@@ -28,7 +28,7 @@ State state_of(Random& random, const Scene& scene) {
 
 // 1,000,000 probes into textures of every format and shape: lines of memory against the texture itself, and the tree
 // of interpolations against one exact sum of eight products.
-TEST(model_fetch, and_filter_equal_exact_arithmetic) {
+TEST(fetch, and_filter_equal_exact_arithmetic) {
   const SeedTrace trace(__FILE__, __LINE__);
   Random random = random_for("model_fetch.and_filter_equal_exact_arithmetic");
   const auto scenes = make_scenes(random, Content::kNoise);
@@ -46,7 +46,7 @@ TEST(model_fetch, and_filter_equal_exact_arithmetic) {
 }
 
 // Corners: every texel 0 or full, every fraction at its ends, both kernels.
-TEST(model_filter, lattice_of_extremes) {
+TEST(filter, lattice_of_extremes) {
   for (int pattern = 0; pattern < 256; ++pattern) {
     for (int choice = 0; choice < 243; ++choice) {
       constexpr std::array<std::int64_t, 3> kFractions{0, 128, 255};
@@ -77,7 +77,7 @@ TEST(model_filter, lattice_of_extremes) {
 }
 
 // 1,000,000 pixels of one to sixteen probes: the running sum against the exact rational sum, rounded once (GMP).
-TEST(model_accumulate, equals_exact_arithmetic) {
+TEST(accumulate, equals_exact_arithmetic) {
   const SeedTrace trace(__FILE__, __LINE__);
   Random random = random_for("model_accumulate.equals_exact_arithmetic");
   Accumulator<kDefaultConfig> sum{};  // never cleared: `first` does it
@@ -120,7 +120,7 @@ TEST(model_accumulate, equals_exact_arithmetic) {
 }
 
 // The whole unit, 300,000 lookups of every kind into every shape, format, mode and wrap, against the whole oracle.
-TEST(model_unit, equals_exact_arithmetic) {
+TEST(unit, equals_exact_arithmetic) {
   const SeedTrace trace(__FILE__, __LINE__);
   Random random = random_for("model_unit.equals_exact_arithmetic");
   const auto scenes = make_scenes(random, Content::kNoise);

@@ -22,7 +22,7 @@ T random_of(Random& random) {
 int rows_of(int probes) { return probes == 1 ? 1 : 4; }
 
 // 1,000,000 plans of any positions and steps, with the rows that plan gives to their probe counts.
-TEST(model_walk, equals_exact_arithmetic) {
+TEST(walk, equals_exact_arithmetic) {
   const SeedTrace trace(__FILE__, __LINE__);
   Random random = random_for("model_walk.equals_exact_arithmetic");
   for (int i = 0; i < 1000000; ++i) {
@@ -47,7 +47,7 @@ TEST(model_walk, equals_exact_arithmetic) {
 }
 
 // Invariant 6 for every row that a probe count can have, and symmetry about the middle.
-TEST(model_walk, weights_of_every_row_sum_to_one) {
+TEST(walk, weights_of_every_row_sum_to_one) {
   int rows = 0;
   for (int probes = 1; probes <= 16; ++probes) {
     std::vector<int> candidates{60 + probes};
@@ -71,7 +71,7 @@ TEST(model_walk, weights_of_every_row_sum_to_one) {
 }
 
 // Figures 10 and 11: an even number of probes at odd half steps, an odd number at even ones.
-TEST(model_walk, positions_of_even_and_odd_counts) {
+TEST(walk, positions_of_even_and_odd_counts) {
   PlanBeat<kDefaultConfig> plan;
   plan.s = plan.s.from_raw(1000);
   plan.half_step_s = plan.half_step_s.from_raw(10);

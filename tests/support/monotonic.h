@@ -8,7 +8,7 @@
 
 namespace feline {
 
-// Found by model_footprint_bounds_long over all quadruples, rounded outwards.
+// Found by footprint_bounds_long over all quadruples, rounded outwards.
 inline constexpr RatioBounds kSimpleRatios{1, 1.0222, 0.83917, 1.308352};
 inline constexpr RatioBounds kTableRatios{0.957544, 1.07745, 0.744006, 1.452783};
 

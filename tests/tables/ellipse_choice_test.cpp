@@ -66,7 +66,7 @@ Judgement judge(CellRepresentation representation) {
   return judge(ellipse_rom(kDefaultConfig, representation), kSteps);
 }
 
-TEST(tables_ellipse_choice, judge_agrees_with_the_papers_formulas) {
+TEST(ellipse_choice, judge_agrees_with_the_papers_formulas) {
   Rom rom = ellipse_rom(kDefaultConfig);
   const EllipseErrors stated = judge_ellipse(kDefaultConfig, rom, kSteps);
   const Judgement found = judge(rom, kSteps);
@@ -82,7 +82,7 @@ TEST(tables_ellipse_choice, judge_agrees_with_the_papers_formulas) {
 
 // The choice: the worst level error of the mean is less than that of the least worst case's entry, its mean error is
 // no more than 0.1 % from the best, and the centre is worse.
-TEST(tables_ellipse_choice, mean_of_the_cell_is_the_best) {
+TEST(ellipse_choice, mean_of_the_cell_is_the_best) {
   const EllipseErrors centre = judge(CellRepresentation::kCentre).errors;
   const EllipseErrors worst = judge(CellRepresentation::kLeastWorst).errors;
   const EllipseErrors mean = judge(CellRepresentation::kLeastMean).errors;

@@ -31,7 +31,7 @@ concept TakesNumbers = requires(A a) {
 || requires(A a) { a + a; };
 static_assert(!TakesNumbers<Fixed<F::kWeight>>);
 
-TEST(tables_format, ranges_and_values) {
+TEST(format, ranges_and_values) {
   constexpr Format kLevel = F::kLevelOfDetail;  // S5.8
   EXPECT_EQ(kLevel.width(), 14);
   EXPECT_EQ(kLevel.max_raw(), 8191);
@@ -43,14 +43,14 @@ TEST(tables_format, ranges_and_values) {
   EXPECT_EQ(F::kWeight.min_raw(), 0);
 }
 
-TEST(tables_format, bits_for_counts) {
+TEST(format, bits_for_counts) {
   EXPECT_EQ(bits_for(2), 1);
   EXPECT_EQ(bits_for(15), 4);
   EXPECT_EQ(bits_for(16), 4);
   EXPECT_EQ(bits_for(17), 5);
 }
 
-TEST(tables_format, names_are_unique) {
+TEST(format, names_are_unique) {
   std::set<std::string> names;
   for (const Format& format : F::kAll) {
     EXPECT_TRUE(names.insert(std::string(format.name.view())).second) << format.name.view();
@@ -59,7 +59,7 @@ TEST(tables_format, names_are_unique) {
   }
 }
 
-TEST(tables_format_death, overflow_ends_the_program) {
+TEST(format_death, overflow_ends_the_program) {
   ::testing::FLAGS_gtest_death_test_style = "threadsafe";
   EXPECT_DEATH(Fixed<F::kWeight>::from_raw(512), "raw value 512 does not fit format weight \\(U1.8\\)");
   EXPECT_DEATH(Fixed<F::kWeight>::from_raw(-1), "raw value -1 does not fit format weight");

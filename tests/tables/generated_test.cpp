@@ -14,7 +14,7 @@ namespace {
 const std::filesystem::path kDirectory = std::filesystem::path(FELINE_SOURCE_DIR) / "tables" / "generated";
 
 // What is checked in is what the generator writes, byte for byte, and nothing else lies there.
-TEST(tables_generated, files_equal_a_fresh_run) {
+TEST(generated, files_equal_a_fresh_run) {
   std::set<std::string> names;
   for (const auto& file : generate<kDefaultConfig>(measured_roms<kDefaultConfig>())) {
     names.insert(file.name);
@@ -46,7 +46,7 @@ std::uint64_t print_of() {
     EXPECT_TRUE(prints.insert(print_of<kOther>()).second) << #change; \
   }
 
-TEST(tables_generated, fingerprint_changes_with_every_field_of_the_configuration) {
+TEST(generated, fingerprint_changes_with_every_field_of_the_configuration) {
   std::set<std::uint64_t> prints{fingerprint<kDefaultConfig>()};
   EXPECT_FALSE(prints.insert(print_of<kDefaultConfig>()).second);
   EXPECT_CHANGES(mantissa_bits = 9)
@@ -76,7 +76,7 @@ TEST(tables_generated, fingerprint_changes_with_every_field_of_the_configuration
 }
 
 // A flipped bit of any ROM is another machine.
-TEST(tables_generated, fingerprint_changes_with_every_rom) {
+TEST(generated, fingerprint_changes_with_every_rom) {
   std::set<std::uint64_t> prints;
   const PackageParts parts = package_parts<kDefaultConfig>();
   for (std::size_t i = 0; i < 6; ++i) {
@@ -90,7 +90,7 @@ TEST(tables_generated, fingerprint_changes_with_every_rom) {
 }
 
 // The package states the fingerprint that the model computes.
-TEST(tables_generated, package_states_the_fingerprint) {
+TEST(generated, package_states_the_fingerprint) {
   std::ifstream in(kDirectory / "feline_pkg.sv");
   std::stringstream text;
   text << in.rdbuf();

@@ -32,7 +32,7 @@ void expect_encloses(const Interval& interval, const Real& real, double width) {
   }
 }
 
-TEST(tables_interval, arithmetic_encloses) {
+TEST(interval, arithmetic_encloses) {
   const SeedTrace trace(__FILE__, __LINE__);
   Random random = random_for("tables_interval.arithmetic_encloses");
   for (int i = 0; i < 20000; ++i) {
@@ -52,7 +52,7 @@ TEST(tables_interval, arithmetic_encloses) {
   }
 }
 
-TEST(tables_interval, functions_enclose) {
+TEST(interval, functions_enclose) {
   for (int i = 0; i <= 1000; ++i) {
     expect_encloses(exponential(Interval::ratio(4 * i - 2000, 1000)), exp(Real::ratio(4 * i - 2000, 1000)), 1e-12);
     if (i < 1000) expect_encloses(logarithm2(Interval::ratio(1000 + i, 1000)), log2(Real::ratio(1000 + i, 1000)), 2e-9);
@@ -60,7 +60,7 @@ TEST(tables_interval, functions_enclose) {
   }
 }
 
-TEST(tables_interval, uncertain_rounding_throws) {
+TEST(interval, uncertain_rounding_throws) {
   const Interval third = Interval::ratio(1, 3);
   EXPECT_THROW((third * Interval::integer(3)).certified_floor(8), std::domain_error);
   EXPECT_THROW((third * Interval::integer(3) * Interval::ratio(1, 512)).certified_round(8), std::domain_error);

@@ -50,7 +50,7 @@ std::map<std::string, std::vector<Member>> package_structs() {
 }
 
 template <typename Beat>
-class tables_pack : public ::testing::Test {};
+class beats : public ::testing::Test {};
 
 using Beats = ::testing::Types<SamplerState<kDefaultConfig>, RequestBeat<kDefaultConfig>, GroupBeat<kDefaultConfig>,
                                FootprintBeat<kDefaultConfig>, PlanBeat<kDefaultConfig>, WalkBeat<kDefaultConfig>,
@@ -62,7 +62,7 @@ struct BeatName {
     return std::string(Beat::kName.view());
   }
 };
-TYPED_TEST_SUITE(tables_pack, Beats, BeatName);
+TYPED_TEST_SUITE(beats, Beats, BeatName);
 
 template <typename Beat>
 Beat random_beat(Random& random) {
@@ -79,7 +79,7 @@ bool bit_of(std::span<const std::uint32_t> words, int position) {
   return ((words[static_cast<std::size_t>(position / 32)] >> (position % 32)) & 1) != 0;
 }
 
-TYPED_TEST(tables_pack, round_trip) {
+TYPED_TEST(beats, round_trip) {
   const SeedTrace trace(__FILE__, __LINE__);
   Random random = random_for(TypeParam::kName.view());
   std::vector<std::uint32_t> words(static_cast<std::size_t>(beat_words<TypeParam>()));
@@ -93,7 +93,7 @@ TYPED_TEST(tables_pack, round_trip) {
 
 // The generated SystemVerilog, read back: the same names, order, signs and widths; and each bit of each field lies
 // where the language puts it, the first field and the last element highest.
-TYPED_TEST(tables_pack, bits_lie_where_the_generated_struct_puts_them) {
+TYPED_TEST(beats, bits_lie_where_the_generated_struct_puts_them) {
   const SeedTrace trace(__FILE__, __LINE__);
   const auto structs = package_structs();
   const auto found = structs.find(std::string(TypeParam::kName.view()));

@@ -41,24 +41,24 @@ void expect_error(const Rom& rom, int fraction_bits, std::size_t first, Function
   EXPECT_EQ(rom.worst_word, where) << rom.name;
 }
 
-TEST(tables_roms, gaussian) {
+TEST(roms, gaussian) {
   expect_words(machine().gaussian, oracle::tables().gaussian);
   // exp(-d^2) of the distances x and 1 - x: a logistic function of 1 - 2x.
   expect_error(machine().gaussian, 8, 0,
                [](long i) { return Real(1) / (Real(1) + exp(Real(1) - Real::ratio(2 * i, 256))); });
 }
 
-TEST(tables_roms, log2) {
+TEST(roms, log2) {
   expect_words(machine().log2, oracle::tables().log2);
   expect_error(machine().log2, 8, 0, [](long i) { return log2(Real::ratio(256 + i, 256)); });
 }
 
-TEST(tables_roms, reciprocal) {
+TEST(roms, reciprocal) {
   expect_words(machine().reciprocal, oracle::tables().reciprocal);
   expect_error(machine().reciprocal, 16, 1, [](long k) { return Real::ratio(1, k); });
 }
 
-TEST(tables_roms, srgb) {
+TEST(roms, srgb) {
   expect_words(machine().srgb, oracle::tables().srgb);
   expect_error(machine().srgb, 4, 0, [](long code) {
     if (code <= 10) return Real::ratio(code * 255 * 100, 255 * 1292);
@@ -70,7 +70,7 @@ TEST(tables_roms, srgb) {
   EXPECT_NEAR(static_cast<double>(machine().srgb.words[188]) / (255 * 16), 0.5029, 2e-4);
 }
 
-TEST(tables_roms, ellipse) {
+TEST(roms, ellipse) {
   std::array<std::uint64_t, 256> words{};
   for (std::size_t i = 0; i < 256; ++i) {
     for (const long value : oracle::tables().ellipse[i / 16][i % 16])
@@ -85,7 +85,7 @@ TEST(tables_roms, ellipse) {
 }
 
 // Erratum 2: columns 8 to 15 run from 90 degrees to 45. Minor radii grow with the angle, so they fall along them.
-TEST(tables_roms, ellipse_columns_run_as_erratum_2_says) {
+TEST(roms, ellipse_columns_run_as_erratum_2_says) {
   const auto minor = [](std::size_t row, std::size_t column) {
     return ellipse_entry(kDefaultConfig, machine().ellipse.words[row * 16 + column]).minor_radius;
   };
@@ -96,7 +96,7 @@ TEST(tables_roms, ellipse_columns_run_as_erratum_2_says) {
   }
 }
 
-TEST(tables_roms, weight) {
+TEST(roms, weight) {
   std::array<long, 693> words{};
   for (std::size_t i = 0; i < words.size(); ++i) words[i] = oracle::tables().weight[i / 9][i % 9];
   expect_words(machine().weight, words);
@@ -106,7 +106,7 @@ TEST(tables_roms, weight) {
 }
 
 // Erratum 8: each row, by how often its probes use each column, sums to exactly one; unused columns hold 0.
-TEST(tables_roms, weight_rows_sum_to_one) {
+TEST(roms, weight_rows_sum_to_one) {
   for (int row = 0; row < 77; ++row) {
     long sum = 0;
     for (int column = 0; column < 9; ++column) {
@@ -145,7 +145,7 @@ double least_worst_error(int row) {
 }
 
 // weights.cpp calls its rounding the one of least worst error.
-TEST(tables_roms, weight_rows_have_the_least_worst_error) {
+TEST(roms, weight_rows_have_the_least_worst_error) {
   for (int row = 0; row < 77; ++row) {
     double worst = 0;
     for (int column = 0; column < 9; ++column) {

@@ -11,7 +11,7 @@ namespace feline {
 namespace {
 
 // The table of the comment, in quarters.
-TEST(tables_rounding, truth_table) {
+TEST(rounding, truth_table) {
   constexpr std::array<std::int64_t, 8> kValue{-7, -6, -5, -4, 4, 5, 6, 7};
   constexpr std::array<std::int64_t, 8> kDown{-2, -2, -2, -1, 1, 1, 1, 1};
   constexpr std::array<std::int64_t, 8> kUpTies{-2, -1, -1, -1, 1, 1, 2, 2};
@@ -26,7 +26,7 @@ TEST(tables_rounding, truth_table) {
 }
 
 // All values of 12 bits and shifts of up to 13, and the same far from 0, against exact quotients.
-TEST(tables_rounding, equals_exact_arithmetic) {
+TEST(rounding, equals_exact_arithmetic) {
   for (const std::int64_t offset : {std::int64_t{0}, std::int64_t{1} << 61, -(std::int64_t{1} << 61)}) {
     for (std::int64_t small = -2048; small <= 2048; ++small) {
       for (int bits = 0; bits <= 13; ++bits) {
@@ -43,7 +43,7 @@ TEST(tables_rounding, equals_exact_arithmetic) {
 }
 
 // Shifts that drop every bit.
-TEST(tables_rounding, long_shifts) {
+TEST(rounding, long_shifts) {
   for (int bits = 50; bits <= 300; ++bits) {
     for (const std::int64_t value : {std::int64_t{1}, std::int64_t{1} << 40, std::int64_t{1} << 48}) {
       EXPECT_EQ(round_outward(value, bits), 1) << bits;
@@ -57,7 +57,7 @@ TEST(tables_rounding, long_shifts) {
   }
 }
 
-TEST(tables_rounding, bit_length) {
+TEST(rounding, bit_length) {
   EXPECT_EQ(bit_length(0), 0);
   EXPECT_EQ(bit_length(1), 1);
   EXPECT_EQ(bit_length(7), 3);

@@ -37,7 +37,7 @@ class FileSizeLimit {
   void (*old_handler_)(int);
 };
 
-TEST(testbench_atomic_file, writes_and_replaces) {
+TEST(atomic_file, writes_and_replaces) {
   const TempDir dir;
   write_file_atomically(dir / "a.txt", "first");
   EXPECT_EQ(read_bytes(dir / "a.txt"), "first");
@@ -48,7 +48,7 @@ TEST(testbench_atomic_file, writes_and_replaces) {
   EXPECT_EQ(dir.file_count(), 1);
 }
 
-TEST(testbench_atomic_file, bare_name_goes_to_the_working_directory) {
+TEST(atomic_file, bare_name_goes_to_the_working_directory) {
   const TempDir dir;
   const fs::path before = fs::current_path();
   fs::current_path(dir / "");
@@ -57,7 +57,7 @@ TEST(testbench_atomic_file, bare_name_goes_to_the_working_directory) {
   EXPECT_EQ(read_bytes(dir / "bare.txt"), "here");
 }
 
-TEST(testbench_atomic_file, permissions_follow_the_umask) {
+TEST(atomic_file, permissions_follow_the_umask) {
   const TempDir dir;
   const mode_t mask = ::umask(022);
   write_file_atomically(dir / "a.txt", "x");
@@ -65,7 +65,7 @@ TEST(testbench_atomic_file, permissions_follow_the_umask) {
   EXPECT_EQ(fs::status(dir / "a.txt").permissions(), fs::perms{0644});
 }
 
-TEST(testbench_atomic_file, symbolic_link_stays_a_link) {
+TEST(atomic_file, symbolic_link_stays_a_link) {
   const TempDir dir;
   write_bytes(dir / "real.txt", "old");
   fs::create_symlink(dir / "real.txt", dir / "link.txt");
@@ -74,14 +74,14 @@ TEST(testbench_atomic_file, symbolic_link_stays_a_link) {
   EXPECT_EQ(read_bytes(dir / "real.txt"), "new");
 }
 
-TEST(testbench_atomic_file, missing_directory) {
+TEST(atomic_file, missing_directory) {
   const TempDir dir;
   const fs::path target = dir / "none/a.txt";
   EXPECT_EQ(input_error([&] { write_file_atomically(target, "x"); }),
             target.string() + ": open: got No such file or directory, legal is a writable file on a disk with room");
 }
 
-TEST(testbench_atomic_file, unwritable_directory) {
+TEST(atomic_file, unwritable_directory) {
   const TempDir dir;
   fs::create_directory(dir / "locked");
   fs::permissions(dir / "locked", fs::perms::owner_read | fs::perms::owner_exec);
@@ -92,7 +92,7 @@ TEST(testbench_atomic_file, unwritable_directory) {
   EXPECT_FALSE(fs::exists(target));
 }
 
-TEST(testbench_atomic_file, directory_as_target) {
+TEST(atomic_file, directory_as_target) {
   const TempDir dir;
   fs::create_directory(dir / "sub");
   EXPECT_EQ(input_error([&] { write_file_atomically(dir / "sub", "x"); }),
@@ -100,14 +100,14 @@ TEST(testbench_atomic_file, directory_as_target) {
   EXPECT_EQ(dir.file_count(), 1);
 }
 
-TEST(testbench_atomic_file, full_device) {
+TEST(atomic_file, full_device) {
   EXPECT_EQ(input_error([] { write_file_atomically("/dev/full", "x"); }),
             "/dev/full: write: got No space left on device, "
             "legal is a writable file on a disk with room");
   EXPECT_TRUE(fs::is_character_file("/dev/full"));
 }
 
-TEST(testbench_atomic_file, full_disk_leaves_nothing) {
+TEST(atomic_file, full_disk_leaves_nothing) {
   const TempDir dir;
   write_bytes(dir / "a.bin", "as before");
   std::string message;
@@ -121,7 +121,7 @@ TEST(testbench_atomic_file, full_disk_leaves_nothing) {
   EXPECT_EQ(dir.file_count(), 1);
 }
 
-TEST(testbench_atomic_file, temporary_is_beside_the_target) {
+TEST(atomic_file, temporary_is_beside_the_target) {
   const TempDir dir;
   AtomicFile file(dir / "wave.fst");
   EXPECT_EQ(file.temporary().extension(), ".fst");
@@ -133,7 +133,7 @@ TEST(testbench_atomic_file, temporary_is_beside_the_target) {
   EXPECT_FALSE(fs::exists(file.temporary()));
 }
 
-TEST(testbench_atomic_file, uncommitted_temporary_is_removed) {
+TEST(atomic_file, uncommitted_temporary_is_removed) {
   const TempDir dir;
   {
     const AtomicFile file(dir / "wave.fst");
@@ -143,7 +143,7 @@ TEST(testbench_atomic_file, uncommitted_temporary_is_removed) {
   EXPECT_EQ(dir.file_count(), 0);
 }
 
-TEST(testbench_atomic_file, device_cannot_be_renamed_over) {
+TEST(atomic_file, device_cannot_be_renamed_over) {
   EXPECT_EQ(input_error([] { AtomicFile("/dev/null"); }),
             "/dev/null: output: got a device or a pipe, legal is the path of a regular file");
 }

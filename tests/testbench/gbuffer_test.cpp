@@ -61,7 +61,7 @@ void expect_same_bits(const GBuffer& a, const GBuffer& b) {
 }
 
 // Random words hold every float32 class: NaN payloads, infinities, denormals, both zeros.
-TEST(testbench_gbuffer, round_trip_keeps_every_bit) {
+TEST(gbuffer, round_trip_keeps_every_bit) {
   const TempDir dir;
   GBuffer gbuffer = random_gbuffer(67, 41);
   gbuffer.lookups[0] = {-0.0f,
@@ -75,7 +75,7 @@ TEST(testbench_gbuffer, round_trip_keeps_every_bit) {
   EXPECT_EQ(dir.file_count(), 1);
 }
 
-TEST(testbench_gbuffer, bytes_are_deterministic_and_anonymous) {
+TEST(gbuffer, bytes_are_deterministic_and_anonymous) {
   const TempDir dir;
   write_gbuffer(dir / "a.exr", random_gbuffer(33, 20));
   write_gbuffer(dir / "b.exr", random_gbuffer(33, 20));
@@ -88,34 +88,34 @@ TEST(testbench_gbuffer, bytes_are_deterministic_and_anonymous) {
   EXPECT_EQ(input->spec().get_string_attribute("DateTime"), "");
 }
 
-TEST(testbench_gbuffer, any_order_and_extra_channels) {
+TEST(gbuffer, any_order_and_extra_channels) {
   const TempDir dir;
   write_exr<float>(dir / "g.exr", 2, 1, {"dtdy", "R", "s", "dsdy", "t", "Z", "dtdx", "dsdx"},
                    {6, -1, 1, 5, 2, -1, 4, 3, 16, -1, 11, 15, 12, -1, 14, 13}, OIIO::TypeDesc::FLOAT);
   expect_same_bits(read_gbuffer(dir / "g.exr"), {2, 1, {{1, 2, 3, 4, 5, 6}, {11, 12, 13, 14, 15, 16}}});
 }
 
-TEST(testbench_gbuffer, half_is_widened) {
+TEST(gbuffer, half_is_widened) {
   const TempDir dir;
   write_exr<float>(dir / "g.exr", 1, 1, kNames, {0.5f, -1.25f, 0x1p-24f, 65504.0f, 0.0f, 3.0f}, OIIO::TypeDesc::HALF);
   expect_same_bits(read_gbuffer(dir / "g.exr"), {1, 1, {{0.5f, -1.25f, 0x1p-24f, 65504.0f, 0.0f, 3.0f}}});
 }
 
-TEST(testbench_gbuffer, missing_channels_are_listed) {
+TEST(gbuffer, missing_channels_are_listed) {
   const TempDir dir;
   write_exr<float>(dir / "g.exr", 1, 1, {"s", "T", "dsdx", "dsdy", "dtdy"}, {0, 0, 0, 0, 0}, OIIO::TypeDesc::FLOAT);
   EXPECT_EQ(input_error([&] { read_gbuffer(dir / "g.exr"); }),
             (dir / "g.exr").string() + ": channels: got a file without t, dtdx, legal is s, t, dsdx, dtdx, dsdy, dtdy");
 }
 
-TEST(testbench_gbuffer, integer_channel) {
+TEST(gbuffer, integer_channel) {
   const TempDir dir;
   write_exr<std::uint32_t>(dir / "g.exr", 1, 1, kNames, {1, 2, 3, 4, 5, 6}, OIIO::TypeDesc::UINT32);
   EXPECT_EQ(input_error([&] { read_gbuffer(dir / "g.exr"); }),
             (dir / "g.exr").string() + ": type of channel s: got uint, legal is float or half");
 }
 
-TEST(testbench_gbuffer, non_finite_pixels_are_located) {
+TEST(gbuffer, non_finite_pixels_are_located) {
   const TempDir dir;
   const auto message = [&](float Lookup::*member, float value) {
     GBuffer gbuffer = plain_gbuffer(4, 3);
@@ -130,7 +130,7 @@ TEST(testbench_gbuffer, non_finite_pixels_are_located) {
   EXPECT_EQ(message(&Lookup::s, -kInfinity), file + ": s at pixel (1, 2): got -inf, legal is a finite number");
 }
 
-TEST(testbench_gbuffer, size_limits) {
+TEST(gbuffer, size_limits) {
   const TempDir dir;
   write_gbuffer(dir / "wide.exr", plain_gbuffer(16384, 1));
   EXPECT_EQ(read_gbuffer(dir / "wide.exr").width, 16384);
@@ -142,7 +142,7 @@ TEST(testbench_gbuffer, size_limits) {
             (dir / "h.exr").string() + ": height: got 16385, legal is 1 to 16384");
 }
 
-TEST(testbench_gbuffer, missing_foreign_and_truncated_files) {
+TEST(gbuffer, missing_foreign_and_truncated_files) {
   const TempDir dir;
   const auto starts_with = [](const std::string& message, const std::string& start) {
     EXPECT_EQ(message.find(start), 0u) << message;
@@ -157,7 +157,7 @@ TEST(testbench_gbuffer, missing_foreign_and_truncated_files) {
               (dir / "cut.exr").string() + ": pixels: got ");
 }
 
-TEST(testbench_gbuffer, output_that_cannot_be_written) {
+TEST(gbuffer, output_that_cannot_be_written) {
   const TempDir dir;
   EXPECT_EQ(input_error([] { write_gbuffer("/dev/full", plain_gbuffer(2, 2)); }),
             "/dev/full: write: got No space left on device, "

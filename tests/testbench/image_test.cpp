@@ -40,7 +40,7 @@ Bytes ramp(std::size_t count) {
   return bytes;
 }
 
-TEST(testbench_image, channels_choose_the_format) {
+TEST(image, channels_choose_the_format) {
   const TempDir dir;
   const std::vector<TexelFormat> formats = {TexelFormat::kR8, TexelFormat::kRg8, TexelFormat::kRgba8,
                                             TexelFormat::kRgba8};
@@ -64,7 +64,7 @@ TEST(testbench_image, channels_choose_the_format) {
   }
 }
 
-TEST(testbench_image, format_can_be_asked_for) {
+TEST(image, format_can_be_asked_for) {
   const TempDir dir;
   write_png(dir / "rgb.png", 1, 1, 3, Bytes{10, 20, 30});
   write_png(dir / "grey.png", 1, 1, 1, Bytes{40});
@@ -77,7 +77,7 @@ TEST(testbench_image, format_can_be_asked_for) {
   EXPECT_EQ(texels("grey.png", TexelFormat::kRgba8), (Bytes{40, 40, 40, 255}));
 }
 
-TEST(testbench_image, wider_types_become_8_bit) {
+TEST(image, wider_types_become_8_bit) {
   const TempDir dir;
   write_any<std::uint16_t>(dir / "w.png", 3, 1, 1, {0, 257 * 99, 65535});
   EXPECT_EQ(load_texture(dir / "w.png").levels[0].texels, (Bytes{0, 99, 255}));
@@ -85,14 +85,14 @@ TEST(testbench_image, wider_types_become_8_bit) {
   EXPECT_EQ(load_texture(dir / "f.exr").levels[0].texels, (Bytes{0, 128, 255, 255}));
 }
 
-TEST(testbench_image, alpha_is_unassociated_both_ways) {
+TEST(image, alpha_is_unassociated_both_ways) {
   const TempDir dir;
   const Bytes pixels = {200, 100, 50, 10, 255, 255, 255, 0};
   write_png(dir / "a.png", 2, 1, 4, pixels);
   EXPECT_EQ(load_texture(dir / "a.png").levels[0].texels, pixels);
 }
 
-TEST(testbench_image, tx_brings_its_own_levels) {
+TEST(image, tx_brings_its_own_levels) {
   const TempDir dir;
   const Bytes grey = ramp(10 * 6);
   write_any<std::uint8_t>(dir / "a.tif", 10, 6, 1, grey);
@@ -112,7 +112,7 @@ TEST(testbench_image, tx_brings_its_own_levels) {
 }
 
 // OpenEXR may round sizes up.
-TEST(testbench_image, levels_of_other_sizes) {
+TEST(image, levels_of_other_sizes) {
   const TempDir dir;
   const std::string path = (dir / "up.exr").string();
   OIIO::ImageSpec spec(5, 5, 1, OIIO::TypeDesc::HALF);
@@ -133,7 +133,7 @@ TEST(testbench_image, levels_of_other_sizes) {
   EXPECT_EQ(input_error([&] { load_texture(path); }), path + ": level 1: got 3 x 3, legal is 2 x 2");
 }
 
-TEST(testbench_image, size_limits) {
+TEST(image, size_limits) {
   const TempDir dir;
   write_png(dir / "widest.png", kMaxImageSize, 1, 1, ramp(kMaxImageSize));
   EXPECT_EQ(load_texture(dir / "widest.png").levels.size(), 15u);
@@ -145,7 +145,7 @@ TEST(testbench_image, size_limits) {
             (dir / "h.png").string() + ": height: got 16385, legal is 1 to 16384");
 }
 
-TEST(testbench_image, more_than_four_channels) {
+TEST(image, more_than_four_channels) {
   const TempDir dir;
   write_any<float>(dir / "rgba.exr", 1, 1, 5, {0.2f, 0.4f, 0.6f, 1.0f, 9.0f}, {"R", "G", "B", "A", "Z"});
   EXPECT_EQ(load_texture(dir / "rgba.exr").levels[0].texels, (Bytes{51, 102, 153, 255}));
@@ -154,7 +154,7 @@ TEST(testbench_image, more_than_four_channels) {
             (dir / "many.exr").string() + ": channels: got 5, legal is 1 to 4, or R, G, B, A and others");
 }
 
-TEST(testbench_image, missing_and_foreign_files) {
+TEST(image, missing_and_foreign_files) {
   const TempDir dir;
   const std::string missing = input_error([&] { load_texture(dir / "none.png"); });
   EXPECT_EQ(missing.find((dir / "none.png").string() + ": open: got "), 0u) << missing;
@@ -168,7 +168,7 @@ TEST(testbench_image, missing_and_foreign_files) {
   EXPECT_NE(folder.find(": open: got "), std::string::npos) << folder;
 }
 
-TEST(testbench_image, truncated_data) {
+TEST(image, truncated_data) {
   const TempDir dir;
   for (const char* kind : {"png", "tif", "exr", "jpg", "tga", "bmp", "webp"}) {
     const auto path = dir / ("cut." + std::string(kind));
@@ -181,7 +181,7 @@ TEST(testbench_image, truncated_data) {
   }
 }
 
-TEST(testbench_image, png_bytes_are_deterministic_and_anonymous) {
+TEST(image, png_bytes_are_deterministic_and_anonymous) {
   const TempDir dir;
   write_png(dir / "a.png", 8, 8, 3, ramp(192));
   write_png(dir / "b.png", 8, 8, 3, ramp(192));
@@ -192,7 +192,7 @@ TEST(testbench_image, png_bytes_are_deterministic_and_anonymous) {
   }
 }
 
-TEST(testbench_image, png_16_bit_is_lossless) {
+TEST(image, png_16_bit_is_lossless) {
   const TempDir dir;
   const std::vector<std::uint16_t> pixels = {0, 1, 255, 256, 32768, 65535};
   write_png(dir / "a.png", 3, 1, 2, pixels);
@@ -207,7 +207,7 @@ TEST(testbench_image, png_16_bit_is_lossless) {
   EXPECT_EQ(read, pixels);
 }
 
-TEST(testbench_image, png_that_cannot_be_written) {
+TEST(image, png_that_cannot_be_written) {
   const TempDir dir;
   EXPECT_EQ(input_error([] { write_png("/dev/full", 1, 1, 1, Bytes{0}); }),
             "/dev/full: write: got No space left on device, "

@@ -31,7 +31,7 @@ MipLevel random_level(int width, int height, int channels, unsigned seed) {
   return level;
 }
 
-TEST(testbench_mip_chain, sizes_go_down_to_one) {
+TEST(mip_chain, sizes_go_down_to_one) {
   for (const auto& [width, height] : kSizes) {
     for (const MipFilter filter : kFilters) {
       for (const MipEdge edge : kEdges) {
@@ -50,13 +50,13 @@ TEST(testbench_mip_chain, sizes_go_down_to_one) {
   }
 }
 
-TEST(testbench_mip_chain, level_zero_is_untouched) {
+TEST(mip_chain, level_zero_is_untouched) {
   const MipLevel base = random_level(37, 10, 4, 2);
   EXPECT_EQ(build_mip_chain(base, 4, MipFilter::kLanczos, true).front().texels, base.texels);
 }
 
 // Every value, every format, both filters, both edges, linear and sRGB.
-TEST(testbench_mip_chain, constant_stays_constant) {
+TEST(mip_chain, constant_stays_constant) {
   for (const auto& [width, height] : kSizes) {
     for (int value = 0; value < 256; value += width == 37 ? 1 : 51) {
       for (const MipFilter filter : kFilters) {
@@ -75,7 +75,7 @@ TEST(testbench_mip_chain, constant_stays_constant) {
   }
 }
 
-TEST(testbench_mip_chain, box_is_the_area_average) {
+TEST(mip_chain, box_is_the_area_average) {
   // 4 x 2, then 5 x 1: whole texels, then the middle texel shared by halves.
   const MipLevel even{4, 2, {0, 10, 20, 30, 40, 50, 60, 71}};
   EXPECT_EQ(build_mip_chain(even, 1, MipFilter::kBox, false)[1].texels, (Texels{25, 45}));
@@ -83,7 +83,7 @@ TEST(testbench_mip_chain, box_is_the_area_average) {
   EXPECT_EQ(build_mip_chain(odd, 1, MipFilter::kBox, false)[1].texels, (Texels{20, 72}));
 }
 
-TEST(testbench_mip_chain, srgb_is_averaged_in_light) {
+TEST(mip_chain, srgb_is_averaged_in_light) {
   // Half of the light of white is sRGB 188; alpha is linear and becomes 128.
   const MipLevel base{2, 1, {0, 0, 255, 0, 255, 0, 255, 255}};
   EXPECT_EQ(build_mip_chain(base, 4, MipFilter::kBox, true)[1].texels, (Texels{188, 0, 255, 128}));
@@ -91,7 +91,7 @@ TEST(testbench_mip_chain, srgb_is_averaged_in_light) {
 }
 
 // The weights of a halving by radius 3, derived here from sinc: an impulse shows them, doubled.
-TEST(testbench_mip_chain, lanczos_has_radius_three_in_the_destination) {
+TEST(mip_chain, lanczos_has_radius_three_in_the_destination) {
   MipLevel base{64, 1, Texels(64, 100)};
   base.texels[31] = 200;
   const auto level = build_mip_chain(base, 1, MipFilter::kLanczos, false)[1];
@@ -108,7 +108,7 @@ TEST(testbench_mip_chain, lanczos_has_radius_three_in_the_destination) {
 }
 
 // Texel 0 lit: its light reaches the last texels of a periodic level, and not of a clamped one.
-TEST(testbench_mip_chain, repeat_has_no_seam) {
+TEST(mip_chain, repeat_has_no_seam) {
   MipLevel base{32, 32, Texels(1024, 0)};
   for (std::size_t y = 0; y < 32; ++y) base.texels[y * 32] = 255;
   const auto repeat = build_mip_chain(base, 1, MipFilter::kLanczos, false, MipEdge::kRepeat);
@@ -117,7 +117,7 @@ TEST(testbench_mip_chain, repeat_has_no_seam) {
   EXPECT_EQ(clamp[1].texels[15], 0);
 }
 
-TEST(testbench_mip_chain, repeat_commutes_with_shifting) {
+TEST(mip_chain, repeat_commutes_with_shifting) {
   const MipLevel base = random_level(16, 8, 1, 4);
   MipLevel shifted = base;
   for (std::size_t y = 0; y < 8; ++y) {
@@ -137,7 +137,7 @@ TEST(testbench_mip_chain, repeat_commutes_with_shifting) {
 }
 
 // OpenImageIO's own kernel, independent of ours and good to 9e-4, gives the same picture.
-TEST(testbench_mip_chain, agrees_with_openimageio) {
+TEST(mip_chain, agrees_with_openimageio) {
   const MipLevel base = random_level(64, 48, 4, 3);
   OIIO::ImageBuf source(OIIO::ImageSpec(64, 48, 4, OIIO::TypeDesc::UINT8),
                         const_cast<std::uint8_t*>(base.texels.data()));
@@ -148,7 +148,7 @@ TEST(testbench_mip_chain, agrees_with_openimageio) {
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(level.texels[i], expected[i], 2);
 }
 
-TEST(testbench_mip_chain, wrong_texel_count) {
+TEST(mip_chain, wrong_texel_count) {
   const MipLevel base{4, 4, Texels(15)};
   EXPECT_THROW(build_mip_chain(base, 1, MipFilter::kBox, false), std::invalid_argument);
 }

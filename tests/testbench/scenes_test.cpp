@@ -66,7 +66,7 @@ Statistics measure(std::string_view name, int size) {
   return statistics;
 }
 
-TEST(testbench_scenes, names_and_lookup) {
+TEST(scenes, names_and_lookup) {
   ASSERT_EQ(scenes().size(), kNames.size());
   for (std::size_t i = 0; i < kNames.size(); ++i) {
     EXPECT_EQ(scenes()[i].name, kNames[i]);
@@ -79,7 +79,7 @@ TEST(testbench_scenes, names_and_lookup) {
 }
 
 // Analytic against central differences in double, at points off any pixel grid.
-TEST(testbench_scenes, derivatives_match_finite_differences) {
+TEST(scenes, derivatives_match_finite_differences) {
   constexpr double kStep = 1e-6;
   for (const Scene& scene : scenes()) {
     const auto value = [&](double x, double y) { return scene.project(Dual(x), Dual(y)); };
@@ -101,7 +101,7 @@ TEST(testbench_scenes, derivatives_match_finite_differences) {
   }
 }
 
-TEST(testbench_scenes, every_lookup_is_finite_and_moderate) {
+TEST(scenes, every_lookup_is_finite_and_moderate) {
   for (const Scene& scene : scenes()) {
     for (const auto& [width, height] : {std::pair{128, 128}, {97, 31}, {1, 1}}) {
       const GBuffer gbuffer = make_gbuffer(scene, width, height);
@@ -119,7 +119,7 @@ TEST(testbench_scenes, every_lookup_is_finite_and_moderate) {
 }
 
 // A pixel of 3 x 5 covers 3 x 5 of 9 x 25; its centre is the centre of the middle one.
-TEST(testbench_scenes, resolution_changes_the_pixels_only) {
+TEST(scenes, resolution_changes_the_pixels_only) {
   for (const Scene& scene : scenes()) {
     const GBuffer coarse = make_gbuffer(scene, 3, 5);
     const GBuffer fine = make_gbuffer(scene, 9, 25);
@@ -139,7 +139,7 @@ TEST(testbench_scenes, resolution_changes_the_pixels_only) {
   }
 }
 
-TEST(testbench_scenes, textures) {
+TEST(scenes, textures) {
   for (const Scene& scene : scenes()) {
     const MipLevel base = scene.paint();
     ASSERT_EQ(base.texels.size(), static_cast<std::size_t>(base.width * base.height * bytes_per_texel(scene.format)));
@@ -155,7 +155,7 @@ TEST(testbench_scenes, textures) {
   EXPECT_EQ(window.levels[9].width, 1);
 }
 
-TEST(testbench_scenes, ground_anisotropy_reaches_what_the_slope_says) {
+TEST(scenes, ground_anisotropy_reaches_what_the_slope_says) {
   const Statistics bricks = measure("bricks", 256);
   EXPECT_GT(bricks.anisotropy_max, 16);
   EXPECT_LT(bricks.anisotropy_max, 22);
@@ -163,23 +163,23 @@ TEST(testbench_scenes, ground_anisotropy_reaches_what_the_slope_says) {
   EXPECT_GT(measure("text", 256).anisotropy_max, 8);
 }
 
-TEST(testbench_scenes, window_is_extreme) {
+TEST(scenes, window_is_extreme) {
   const Statistics window = measure("window", 256);
   EXPECT_GT(window.leaning, 0.5);
   EXPECT_GT(window.anisotropy_95, 20);
 }
 
 // As the rippled sphere of the measured peers: 61 % leaning, 95th percentile 34.
-TEST(testbench_scenes, sphere_leans) {
+TEST(scenes, sphere_leans) {
   const Statistics sphere = measure("sphere", 256);
   EXPECT_GT(sphere.leaning, 0.5);
   EXPECT_GT(sphere.anisotropy_95, 20);
 }
 
-TEST(testbench_scenes, magnify_is_eight_times_at_512) { EXPECT_NEAR(measure("magnify", 512).major_max, 1.0 / 8, 1e-6); }
+TEST(scenes, magnify_is_eight_times_at_512) { EXPECT_NEAR(measure("magnify", 512).major_max, 1.0 / 8, 1e-6); }
 
 // A square seen from the side: half of the depth range is not half of the screen.
-TEST(testbench_scenes, interpolation_is_perspective_correct) {
+TEST(scenes, interpolation_is_perspective_correct) {
   const PerspectiveTriangle triangle({{{0, 0, 1, 0, 0}, {1, 0, 3, 1, 0}, {0, 1, 1, 0, 1}}});
   const TexturePoint middle = triangle.interpolate(Dual(0.5), Dual(0.0));
   EXPECT_DOUBLE_EQ(middle.s.value, 0.25);  // (0/1 + 1/3) / (1/1 + 1/3)
@@ -189,7 +189,7 @@ TEST(testbench_scenes, interpolation_is_perspective_correct) {
   EXPECT_FALSE(triangle.covers(0.75, 0.75));
 }
 
-TEST(testbench_scenes, font_has_every_letter_and_no_two_alike) {
+TEST(scenes, font_has_every_letter_and_no_two_alike) {
   std::set<Glyph> glyphs;
   for (char c = ' '; c <= 'z'; ++c) {
     const bool letter = std::isalnum(static_cast<unsigned char>(c)) != 0;
@@ -200,7 +200,7 @@ TEST(testbench_scenes, font_has_every_letter_and_no_two_alike) {
   }
 }
 
-TEST(testbench_scenes, size_limits) {
+TEST(scenes, size_limits) {
   EXPECT_EQ(input_error([] { make_gbuffer(find_scene("text"), 0, 4); }),
             "scene text: width: got 0, legal is 1 to 16384");
   EXPECT_EQ(input_error([] { make_gbuffer(find_scene("text"), 4, 16385); }),
