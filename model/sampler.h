@@ -22,7 +22,11 @@ inline constexpr ProbeParameters kExact{};
 inline constexpr ProbeParameters kHighQuality{ProbeRounding::kCeiling, 0.9625, 1.15625, 1.1532};
 inline constexpr ProbeParameters kHighEfficiency{ProbeRounding::kCeiling, 0.9625, 1.3125, 1.3544};
 
-// What an application chooses; legal ranges beside each field.
+// The largest level of detail that a sampler can ask for: 15.996 by the default configuration.
+inline constexpr double kMaxLevel =
+    Formats<kDefaultConfig>::kSampledLevel.value(Formats<kDefaultConfig>::kSampledLevel.max_raw());
+
+// What an application chooses; legal ranges beside each field, as the default configuration has them.
 struct SamplerOptions {
   Mode mode = Mode::kTable;
   Kernel kernel = Kernel::kBilinear;
@@ -30,11 +34,11 @@ struct SamplerOptions {
   Wrap wrap_s = Wrap::kRepeat;
   Wrap wrap_t = Wrap::kRepeat;
   ProbeParameters probes = kExact;
-  int max_probes = 16;                       // 1 .. 16
-  double level_bias = 0;                     // -16 .. 15.996
-  double min_level = 0;                      // 0 .. 15.996, <= max_level
-  double max_level = 15.99609375;            // 0 .. 15.996
-  std::array<double, 4> border{0, 0, 0, 0};  // 0 .. 1, linear
+  int max_probes = kDefaultConfig.max_probes;  // 1 .. as many as the configuration has
+  double level_bias = 0;                       // -16 .. 15.996
+  double min_level = 0;                        // 0 .. 15.996, <= max_level
+  double max_level = kMaxLevel;                // 0 .. 15.996
+  std::array<double, 4> border{0, 0, 0, 0};    // 0 .. 1, linear
 };
 
 // A value that the machine cannot hold: field, got, legal.

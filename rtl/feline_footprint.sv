@@ -69,12 +69,8 @@ module feline_footprint (
   logic [feline_pkg::StatusWidth-1:0] status;
 
   feline_unsupported u_unsupported (
-    .mode_i       (sampler_i.mode),
-    .wrap_s_i     (sampler_i.wrap_s),
-    .wrap_t_i     (sampler_i.wrap_t),
-    .kernel_i     (sampler_i.kernel),
-    .srgb_i       (sampler_i.srgb),
-    .unsupported_o(unsupported)
+    .mode_i(sampler_i.mode), .wrap_s_i(sampler_i.wrap_s), .wrap_t_i(sampler_i.wrap_t), .kernel_i(sampler_i.kernel),
+    .srgb_i(sampler_i.srgb), .unsupported_o(unsupported)
   );
   always_comb begin
     status = group_i.status;
@@ -89,17 +85,9 @@ module feline_footprint (
   assign products_d.longer = longer;
 
   feline_longer_vector u_longer_vector (
-    .dudx_i          (group_i.dudx),
-    .dvdx_i          (group_i.dvdx),
-    .dudy_i          (group_i.dudy),
-    .dvdy_i          (group_i.dvdy),
-    .mode_i          (mode),
-    .u_o             (longer.longer_u),
-    .v_o             (longer.longer_v),
-    .length_o        (longer.longer_length),
-    .is_x_o          (products_d.x_is_longer),
-    .shorter_length_o(products_d.shorter_length),
-    .minor_o         (longer.minor)
+    .dudx_i(group_i.dudx), .dvdx_i(group_i.dvdx), .dudy_i(group_i.dudy), .dvdy_i(group_i.dvdy), .mode_i(mode),
+    .u_o(longer.longer_u), .v_o(longer.longer_v), .length_o(longer.longer_length), .is_x_o(products_d.x_is_longer),
+    .shorter_length_o(products_d.shorter_length), .minor_o(longer.minor)
   );
 
   if (feline_pkg::FeatureTableFeline) begin : gen_products
@@ -116,15 +104,10 @@ module feline_footprint (
   logic      products_ready;
   products_t products_q;
 
-  feline_stream_register #(.Width($bits(products_d))) u_products_register (
-    .clk_i,
-    .rst_i,
-    .valid_i(group_valid_i),
-    .ready_o(group_ready_o),
-    .data_i (products_d),
-    .valid_o(products_valid),
-    .ready_i(products_ready),
-    .data_o (products_q)
+  feline_stream_register #(.Width($bits(products_d))) u_products (
+    .clk_i, .rst_i,
+    .valid_i(group_valid_i), .ready_o(group_ready_o), .data_i(products_d),
+    .valid_o(products_valid), .ready_i(products_ready), .data_o(products_q)
   );
 
   // Place in the table.
@@ -133,18 +116,10 @@ module feline_footprint (
   assign place_d.longer = products_q.longer;
 
   if (feline_pkg::FeatureTableFeline) begin : gen_place
-    feline_table_place #(
-      .ProductWidth(ProductWidth),
-      .IndexWidth  (IndexWidth)
-    ) u_table_place (
-      .longer_length_i    (products_q.longer.longer_length),
-      .shorter_length_i   (products_q.shorter_length),
-      .cross_i            (products_q.cross_product),
-      .dot_i              (products_q.dot_product),
-      .x_is_longer_i      (products_q.x_is_longer),
-      .index_o            (place_d.index),
-      .turns_o            (place_d.turns),
-      .counter_clockwise_o(place_d.counter_clockwise)
+    feline_table_place #(.ProductWidth(ProductWidth), .IndexWidth(IndexWidth)) u_table_place (
+      .longer_length_i(products_q.longer.longer_length), .shorter_length_i(products_q.shorter_length),
+      .cross_i(products_q.cross_product), .dot_i(products_q.dot_product), .x_is_longer_i(products_q.x_is_longer),
+      .index_o(place_d.index), .turns_o(place_d.turns), .counter_clockwise_o(place_d.counter_clockwise)
     );
   end else begin : gen_no_place
     assign place_d.index             = '0;
@@ -159,15 +134,10 @@ module feline_footprint (
   logic   place_ready;
   place_t place_q;
 
-  feline_stream_register #(.Width($bits(place_d))) u_place_register (
-    .clk_i,
-    .rst_i,
-    .valid_i(products_valid),
-    .ready_o(products_ready),
-    .data_i (place_d),
-    .valid_o(place_valid),
-    .ready_i(place_ready),
-    .data_o (place_q)
+  feline_stream_register #(.Width($bits(place_d))) u_place (
+    .clk_i, .rst_i,
+    .valid_i(products_valid), .ready_o(products_ready), .data_i(place_d),
+    .valid_o(place_valid), .ready_i(place_ready), .data_o(place_q)
   );
 
   // Ellipse, or the vector as it is.
@@ -187,16 +157,10 @@ module feline_footprint (
     assign is_table = mode == feline_pkg::ModeTable;
 
     feline_table_footprint #(.IndexWidth(IndexWidth)) u_table_footprint (
-      .longer_u_i         (place_q.longer.longer_u),
-      .longer_v_i         (place_q.longer.longer_v),
-      .longer_length_i    (place_q.longer.longer_length),
-      .index_i            (place_q.index),
-      .turns_i            (place_q.turns),
+      .longer_u_i(place_q.longer.longer_u), .longer_v_i(place_q.longer.longer_v),
+      .longer_length_i(place_q.longer.longer_length), .index_i(place_q.index), .turns_i(place_q.turns),
       .counter_clockwise_i(place_q.counter_clockwise),
-      .major_u_o          (ellipse_u),
-      .major_v_o          (ellipse_v),
-      .major_radius_o     (ellipse_major),
-      .minor_radius_o     (ellipse_minor)
+      .major_u_o(ellipse_u), .major_v_o(ellipse_v), .major_radius_o(ellipse_major), .minor_radius_o(ellipse_minor)
     );
   end else begin : gen_no_ellipse
     assign is_table      = 1'b0;
@@ -219,15 +183,10 @@ module feline_footprint (
   assign footprint_d.major_radius = is_table ? ellipse_major : place_q.longer.longer_length;
   assign footprint_d.minor_radius = is_table ? ellipse_minor : place_q.longer.minor;
 
-  feline_stream_register #(.Width($bits(footprint_d))) u_footprint_register (
-    .clk_i,
-    .rst_i,
-    .valid_i(place_valid),
-    .ready_o(place_ready),
-    .data_i (footprint_d),
-    .valid_o(footprint_valid_o),
-    .ready_i(footprint_ready_i),
-    .data_o (footprint_o)
+  feline_stream_register #(.Width($bits(footprint_d))) u_footprint (
+    .clk_i, .rst_i,
+    .valid_i(place_valid), .ready_o(place_ready), .data_i(footprint_d),
+    .valid_o(footprint_valid_o), .ready_i(footprint_ready_i), .data_o(footprint_o)
   );
 
   logic unused_sampler;

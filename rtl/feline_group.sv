@@ -59,16 +59,10 @@ module feline_group (
   assign products_d.finite             = finite == 4'hf;
 
   feline_float_to_position #(.ExponentBits(ExponentBits)) u_position_s (
-    .bits_i    (request_i.s),
-    .wrap_i    (sampler_i.wrap_s),
-    .position_o(products_d.s),
-    .finite_o  (s_finite)
+    .bits_i(request_i.s), .wrap_i(sampler_i.wrap_s), .position_o(products_d.s), .finite_o(s_finite)
   );
   feline_float_to_position #(.ExponentBits(ExponentBits)) u_position_t (
-    .bits_i    (request_i.t),
-    .wrap_i    (sampler_i.wrap_t),
-    .position_o(products_d.t),
-    .finite_o  (t_finite)
+    .bits_i(request_i.t), .wrap_i(sampler_i.wrap_t), .position_o(products_d.t), .finite_o(t_finite)
   );
 
   assign derivatives = {request_i.dtdy, request_i.dsdy, request_i.dtdx, request_i.dsdx};
@@ -101,15 +95,10 @@ module feline_group (
   logic      products_ready;
   products_t products_q;
 
-  feline_stream_register #(.Width($bits(products_d))) u_products_register (
-    .clk_i,
-    .rst_i,
-    .valid_i(request_valid_i),
-    .ready_o(request_ready_o),
-    .data_i (products_d),
-    .valid_o(products_valid),
-    .ready_i(products_ready),
-    .data_o (products_q)
+  feline_stream_register #(.Width($bits(products_d))) u_products (
+    .clk_i, .rst_i,
+    .valid_i(request_valid_i), .ready_o(request_ready_o), .data_i(products_d),
+    .valid_o(products_valid), .ready_i(products_ready), .data_o(products_q)
   );
 
   // Align and round.
@@ -117,17 +106,10 @@ module feline_group (
   logic [feline_pkg::StatusWidth-1:0] status;
   logic [4*MantissaWidth-1:0]         mantissa;
 
-  feline_group_mantissas #(
-    .ExponentBits(ExponentBits),
-    .ProductWidth(ProductWidth)
-  ) u_group_mantissas (
-    .finite_i  (products_q.finite),
-    .top_i     (products_q.top),
-    .negative_i(products_q.negative),
-    .exponent_i(products_q.exponent),
-    .product_i (products_q.product),
-    .exponent_o(group_d.exponent),
-    .mantissa_o(mantissa)
+  feline_group_mantissas #(.ExponentBits(ExponentBits), .ProductWidth(ProductWidth)) u_group_mantissas (
+    .finite_i(products_q.finite), .top_i(products_q.top), .negative_i(products_q.negative),
+    .exponent_i(products_q.exponent), .product_i(products_q.product),
+    .exponent_o(group_d.exponent), .mantissa_o(mantissa)
   );
 
   always_comb begin
@@ -144,15 +126,10 @@ module feline_group (
   assign group_d.dudy   = mantissa[2*MantissaWidth +: MantissaWidth];
   assign group_d.dvdy   = mantissa[3*MantissaWidth +: MantissaWidth];
 
-  feline_stream_register #(.Width($bits(group_d))) u_group_register (
-    .clk_i,
-    .rst_i,
-    .valid_i(products_valid),
-    .ready_o(products_ready),
-    .data_i (group_d),
-    .valid_o(group_valid_o),
-    .ready_i(group_ready_i),
-    .data_o (group_o)
+  feline_stream_register #(.Width($bits(group_d))) u_group (
+    .clk_i, .rst_i,
+    .valid_i(products_valid), .ready_o(products_ready), .data_i(group_d),
+    .valid_o(group_valid_o), .ready_i(group_ready_i), .data_o(group_o)
   );
 
   logic unused_sampler;

@@ -116,6 +116,8 @@ struct FieldValue {
 };
 
 std::string element_name(std::string_view field, int element, int count);
+// The bits of a value, as wide as its format: 0x3f.
+std::string hex_text(const FieldValue& value);
 
 template <typename Beat>
 std::vector<FieldValue> field_values(const Beat& beat) {

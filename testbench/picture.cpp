@@ -33,13 +33,16 @@ Colour ramp(std::span<const Anchor> anchors, int at) {
   return anchors.front().colour;
 }
 
-// The sRGB code whose linear value, raw U8.4, is nearest to a raw U8.8.
+using F = Formats<kDefaultConfig>;
+
+// The sRGB code whose linear value is nearest to a raw pixel's; of two as near, the darker.
 std::uint8_t srgb_code(std::int64_t linear) {
   const auto& words = roms<kDefaultConfig>().srgb.words;
+  constexpr std::int64_t kScale = std::int64_t{1} << (F::kPixel.fraction_bits - F::kChannel.fraction_bits);
   const auto distance = [&](std::size_t code) {
-    return std::abs(static_cast<std::int64_t>(words[code]) * 16 - linear);
+    return std::abs(static_cast<std::int64_t>(words[code]) * kScale - linear);
   };
-  const auto above = std::ranges::lower_bound(words, static_cast<std::uint64_t>((linear + 15) / 16));
+  const auto above = std::ranges::lower_bound(words, static_cast<std::uint64_t>((linear + kScale - 1) / kScale));
   const auto high = std::min<std::size_t>(static_cast<std::size_t>(above - words.begin()), 255);
   if (high == 0) return 0;
   return static_cast<std::uint8_t>(distance(high - 1) <= distance(high) ? high - 1 : high);
@@ -64,7 +67,7 @@ void write_picture(const std::filesystem::path& path, const Picture& picture) {
     for (std::size_t c = 0; c < 4; ++c) {
       const std::int64_t raw = pixel.colour[c].raw();
       bytes.push_back(picture.srgb && c < 3 ? srgb_code(raw)
-                                            : static_cast<std::uint8_t>(std::min<std::int64_t>((raw + 128) >> 8, 255)));
+                                            : static_cast<std::uint8_t>(round_up_ties(raw, F::kPixel.fraction_bits)));
     }
   }
   write_png(path, picture.width, picture.height, 4, std::span<const std::uint8_t>(bytes));
@@ -83,7 +86,7 @@ void write_probe_map(const std::filesystem::path& path, const Picture& picture) 
 }
 
 void write_level_map(const std::filesystem::path& path, const Picture& picture, int last_level) {
-  const int span = std::max(last_level, 1) * 256;
+  const int span = std::max(last_level, 1) * static_cast<int>(F::kSampledLevel.one());
   const std::array<Anchor, 6> anchors{Anchor{0, {220, 40, 40}},
                                       Anchor{span / 5, {240, 170, 30}},
                                       Anchor{span * 2 / 5, {230, 230, 60}},

@@ -27,13 +27,17 @@ void Progress::advance(std::uint64_t done) {
       std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - start_).count();
   std::int64_t before = drawn_;
   if (elapsed < kPatience || elapsed - before < kBetween || !drawn_.compare_exchange_strong(before, elapsed)) return;
-  draw(now_done);
+  draw(now_done, elapsed);
 }
 
-void Progress::draw(std::uint64_t done) {
+void Progress::draw(std::uint64_t done, std::int64_t elapsed) {
   constexpr std::uint64_t kWidth = 40;
-  const std::uint64_t full = std::min<std::uint64_t>(kWidth * done / total_, kWidth);
-  fmt::print(stderr, "\r{} [{:=<{}}{: <{}}] {:3}%", what_, "", full, "", kWidth - full, 100 * done / total_);
+  done = std::min(done, total_);
+  const std::uint64_t full = kWidth * done / total_;
+  const double part = static_cast<double>(done) / static_cast<double>(total_);
+  const auto left = static_cast<std::int64_t>(static_cast<double>(elapsed) * (1 / part - 1) / 1000);
+  fmt::print(stderr, "\r{} [{:=<{}}{: <{}}] {:3}%, {} s left\033[K", what_, "", full, "", kWidth - full,
+             100 * done / total_, left);
   std::fflush(stderr);
 }
 

@@ -8,7 +8,8 @@
 
 namespace feline {
 
-// A bar on standard error, if that is a terminal and the work has taken two seconds. Safe to advance from threads.
+// A bar on standard error with the time left, if that is a terminal and the work has taken two seconds. Safe to advance
+// from threads.
 class Progress {
  public:
   Progress(std::string what, std::uint64_t total);
@@ -18,7 +19,7 @@ class Progress {
   void advance(std::uint64_t done);
 
  private:
-  void draw(std::uint64_t done);
+  void draw(std::uint64_t done, std::int64_t elapsed);
 
   std::string what_;
   std::uint64_t total_;

@@ -106,8 +106,8 @@ bool Cosimulation::run(const Batch& batch, const PixelSink& sink) {
   std::size_t offered = 0;
   std::uint64_t pixels = 0;
   bool offering = false;
-  // Longer than any legal wait: 16 probes of 8 misses, each with its latency and its stalls.
-  const double patience = 2000.0 + 16 * 8 * (timing_.memory_latency + 20) * 8 / (1 - timing_.stalls);
+  // Longer than any legal wait: all probes of 8 misses each, with their latency and their stalls.
+  const double patience = 2000.0 + kUnit.max_probes * 8 * (timing_.memory_latency + 20) * 8 / (1 - timing_.stalls);
   std::uint64_t last_progress = cycle_;
 
   while (pixels < batch.lookups.size()) {

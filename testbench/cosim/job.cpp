@@ -31,10 +31,12 @@ Pass run_range(const CosimJob& job, const RtlFactory& factory, const ReplayRange
                const std::optional<WaveWindow>& wave, const PixelSink& sink, Progress* progress) {
   Pass pass{std::make_unique<Cosimulation>(factory, job.timing), true};
   if (wave) pass.simulation->set_wave(*wave);
+  const PixelSink counted = [&](std::uint64_t lookup, const AccumulateBeat<kUnit>& pixel) {
+    if (sink) sink(lookup, pixel);
+    progress->advance(1);
+  };
   for (std::uint64_t b = range.first / job.batch_lookups; b <= range.last / job.batch_lookups && pass.holds; ++b) {
-    const Batch batch = cut(job.batch(b), range);
-    pass.holds = pass.simulation->run(batch, sink);
-    if (progress != nullptr) progress->advance(batch.lookups.size());
+    pass.holds = pass.simulation->run(cut(job.batch(b), range), progress == nullptr ? sink : counted);
   }
   return pass;
 }

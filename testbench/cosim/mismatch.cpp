@@ -8,10 +8,7 @@ namespace feline {
 namespace {
 
 std::string value_text(const FieldValue& value) {
-  const int digits = (value.format.width() + 3) / 4;
-  const std::uint64_t mask = (std::uint64_t{1} << value.format.width()) - 1;
-  return fmt::format("0x{:0{}x} = {}", static_cast<std::uint64_t>(value.raw) & mask, digits,
-                     value.format.value(value.raw));
+  return fmt::format("{} = {}", hex_text(value), value.format.value(value.raw));
 }
 
 std::string format_text(const Format& format) { return fmt::format("{}, {}", notation(format), format.unit.view()); }

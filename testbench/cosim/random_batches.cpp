@@ -87,6 +87,7 @@ int random_side(Random& random) {
 }
 
 Texture random_texture(Random& random) {
+  constexpr int kLargest = 1 << kUnit.max_size_log2;
   Texture texture;
   texture.format = static_cast<TexelFormat>(random.below(3));
   texture.srgb = random.below(2) != 0;
@@ -97,16 +98,17 @@ Texture random_texture(Random& random) {
     case 1: height = 1; break;
     case 2: width = height = 1; break;
     case 3:
-      width = 16384 - static_cast<int>(random.below(2));
+      width = kLargest - static_cast<int>(random.below(2));
       height = 1 + static_cast<int>(random.below(3));
       break;
     case 4:
-      height = 16384 - static_cast<int>(random.below(2));
+      height = kLargest - static_cast<int>(random.below(2));
       width = 1 + static_cast<int>(random.below(3));
       break;
     default: break;
   }
-  const int levels = random.below(4) == 0 ? 1 + static_cast<int>(random.below(15)) : 15;
+  constexpr int kLevels = Formats<kUnit>::kLevels;
+  const int levels = random.below(4) == 0 ? 1 + static_cast<int>(random.below(kLevels)) : kLevels;
   for (int k = 0; k < levels; ++k) {
     MipLevel level{std::max(width >> k, 1), std::max(height >> k, 1), {}};
     level.texels.resize(static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height) *
@@ -140,10 +142,10 @@ SamplerOptions random_sampler(Random& random, const RandomBatches::Choices& choi
     case 3: options.probes.rounding = ProbeRounding::kCeiling; break;
     default: break;
   }
-  if (random.below(3) == 0) options.max_probes = 1 + static_cast<int>(random.below(16));
+  if (random.below(3) == 0) options.max_probes = 1 + static_cast<int>(random.below(kUnit.max_probes));
   if (random.below(3) == 0) options.level_bias = 8 * random.unit() - 4;
-  if (random.below(16) == 0) options.level_bias = random.below(2) != 0 ? -16 : 15.99609375;
-  if (random.below(4) == 0) options.max_level = 15.99609375 * random.unit();
+  if (random.below(16) == 0) options.level_bias = random.below(2) != 0 ? -16 : kMaxLevel;
+  if (random.below(4) == 0) options.max_level = kMaxLevel * random.unit();
   if (random.below(4) == 0) options.min_level = options.max_level * random.unit();
   for (auto& channel : options.border) channel = random.unit();
   return options;

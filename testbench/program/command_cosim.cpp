@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <atomic>
 #include <charconv>
@@ -13,6 +12,7 @@
 #include "testbench/cosim/random_batches.h"
 #include "testbench/error.h"
 #include "testbench/program/commands.h"
+#include "testbench/program/cosim_summary.h"
 #include "testbench/program/subject.h"
 #include "testbench/render.h"
 #include "testbench/scenes/scene.h"
@@ -59,6 +59,11 @@ std::optional<ReplayRange> parse_replay(const std::string& text, std::uint64_t l
   return range;
 }
 
+std::string wrap_name(const SamplerOptions& choice) {
+  const auto name = [](Wrap wrap) { return std::string(kWrapNames[static_cast<std::size_t>(wrap)]); };
+  return choice.wrap_s == choice.wrap_t ? name(choice.wrap_s) : name(choice.wrap_s) + "-" + name(choice.wrap_t);
+}
+
 PreparedJob scene_job(const CosimOptions& options, const std::shared_ptr<const Subject>& subject,
                       const SamplerOptions& choice, const std::string& command) {
   PreparedJob prepared;
@@ -68,7 +73,7 @@ PreparedJob scene_job(const CosimOptions& options, const std::shared_ptr<const S
   job.scene = subject->name;
   job.mode = kModeNames[static_cast<std::size_t>(choice.mode)];
   job.kernel = kKernelNames[static_cast<std::size_t>(choice.kernel)];
-  job.wrap = kWrapNames[static_cast<std::size_t>(choice.wrap_s)];
+  job.wrap = wrap_name(choice);
   job.timing = options.timing;
   job.command = command;
   job.width = subject->gbuffer.width;
@@ -96,81 +101,6 @@ PreparedJob random_job(const CosimOptions& options) {
   return prepared;
 }
 
-nlohmann::ordered_json to_json(const CosimJob& job, const CosimResult& result) {
-  nlohmann::ordered_json beats;
-  for (std::size_t stage = 0; stage < kStageCount; ++stage)
-    beats[std::string(kStageNames[stage])] = result.beats[stage];
-  return {{"scene", job.scene},
-          {"mode", job.mode},
-          {"kernel", job.kernel},
-          {"wrap", job.wrap},
-          {"seed", job.timing.seed},
-          {"lookups", result.lookups},
-          {"probes", result.probes},
-          {"beats", beats},
-          {"mismatches", result.mismatches},
-          {"cycles", result.cycles},
-          {"memory_reads", result.memory_reads},
-          {"seconds", result.seconds}};
-}
-
-std::string joined(const std::vector<PreparedJob>& jobs, std::string CosimJob::*field) {
-  std::vector<std::string> seen;
-  for (const auto& prepared : jobs) {
-    if (std::ranges::find(seen, prepared.job.*field) == seen.end()) seen.push_back(prepared.job.*field);
-  }
-  return fmt::format("{}", fmt::join(seen, ","));
-}
-
-CosimResult total(const std::vector<CosimResult>& results) {
-  CosimResult sum;
-  for (const auto& result : results) {
-    sum.lookups += result.lookups;
-    sum.probes += result.probes;
-    sum.mismatches += result.mismatches;
-    sum.cycles += result.cycles;
-    sum.memory_reads += result.memory_reads;
-    sum.seconds += result.seconds;
-    for (std::size_t stage = 0; stage < kStageCount; ++stage) sum.beats[stage] += result.beats[stage];
-  }
-  return sum;
-}
-
-nlohmann::ordered_json summary_json(const std::vector<PreparedJob>& jobs, const std::vector<CosimResult>& results,
-                                    double seconds) {
-  CosimJob all = jobs.front().job;
-  all.scene = joined(jobs, &CosimJob::scene);
-  all.mode = joined(jobs, &CosimJob::mode);
-  all.kernel = joined(jobs, &CosimJob::kernel);
-  all.wrap = joined(jobs, &CosimJob::wrap);
-  auto json = to_json(all, total(results));
-  json["seconds"] = seconds;
-  for (std::size_t i = 0; i < jobs.size(); ++i) json["runs"].push_back(to_json(jobs[i].job, results[i]));
-  return json;
-}
-
-std::string summary_text(const std::vector<PreparedJob>& jobs, const std::vector<CosimResult>& results,
-                         double seconds) {
-  std::string out = fmt::format("{:<14}{:<11}{:<10}{:<17}{:>10}{:>12}{:>8}{:>12}{:>8}{:>12}\n", "scene", "mode",
-                                "kernel", "wrap", "lookups", "probes", "a pixel", "cycles", "a probe", "mismatches");
-  for (std::size_t i = 0; i < jobs.size(); ++i) {
-    const CosimJob& job = jobs[i].job;
-    const CosimResult& r = results[i];
-    const double lookups = static_cast<double>(std::max<std::uint64_t>(r.lookups, 1));
-    const double probes = static_cast<double>(std::max<std::uint64_t>(r.probes, 1));
-    out += fmt::format("{:<14}{:<11}{:<10}{:<17}{:>10}{:>12}{:>8.2f}{:>12}{:>8.2f}{:>12}\n", job.scene, job.mode,
-                       job.kernel, job.wrap, r.lookups, r.probes, static_cast<double>(r.probes) / lookups, r.cycles,
-                       static_cast<double>(r.cycles) / probes, r.mismatches);
-  }
-  const CosimResult sum = total(results);
-  std::uint64_t beats = 0;
-  for (const auto count : sum.beats) beats += count;
-  out += fmt::format("{}: {} beats of {} stages compared, {} mismatches, {} lookups, {} cycles, {:.1f} s, seed {}\n",
-                     sum.mismatches == 0 ? "RTL and model agree" : "RTL AND MODEL DIFFER", beats, kStageCount,
-                     sum.mismatches, sum.lookups, sum.cycles, seconds, jobs.front().job.timing.seed);
-  return out;
-}
-
 Picture to_picture(const PreparedJob& prepared, CosimResult& result) {
   // The pixels are the RTL's own; the plans are the model's, which co-simulation has compared.
   Picture picture = render_model(prepared.subject->gbuffer, prepared.sampler, prepared.subject->memory);
@@ -179,7 +109,7 @@ Picture to_picture(const PreparedJob& prepared, CosimResult& result) {
 }
 
 void write_outputs(const CosimOptions& options, const std::vector<PreparedJob>& jobs, std::vector<CosimResult>& results,
-                   double seconds) {
+                   const CosimSummary& summary) {
   const std::filesystem::path directory = options.output;
   // Standard output is the JSON's alone.
   std::FILE* const told = options.json ? stderr : stdout;
@@ -193,15 +123,15 @@ void write_outputs(const CosimOptions& options, const std::vector<PreparedJob>& 
     write_probe_map(directory / (stem + "-probes.png"), picture);
     fmt::print(told, "{}\n{}\n", (directory / (stem + ".png")).string(), (directory / (stem + "-probes.png")).string());
   }
-  write_file_atomically(directory / "summary.txt", summary_text(jobs, results, seconds));
-  write_file_atomically(directory / "summary.json", summary_json(jobs, results, seconds).dump(1) + "\n");
+  write_file_atomically(directory / "summary.txt", to_text(summary));
+  write_file_atomically(directory / "summary.json", to_json(summary).dump(1) + "\n");
   fmt::print(told, "{}\n", (directory / "summary.json").string());
 }
 
 std::vector<PreparedJob> prepare_jobs(const CosimOptions& options) {
   if (options.random) {
     if (!options.scenes.empty()) bad_input("command line", "--scene", options.scenes, "nothing together with --random");
-    options.subject.refuse_with_random();
+    options.subject.check_random();
     return {random_job(options)};
   }
   std::vector<std::string> names = split_list(options.scenes);
@@ -267,18 +197,12 @@ int run_cosim(const CosimOptions& options) {
   const auto jobs = prepare_jobs(options);
   auto results = run_all(options, jobs);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  bool holds = true;
-  for (const auto& result : results) {
-    fmt::print(stderr, "{}", result.message);
-    holds = holds && result.mismatches == 0;
-  }
-  if (options.json) {
-    fmt::print("{}\n", summary_json(jobs, results, seconds).dump(1));
-  } else {
-    fmt::print("{}", summary_text(jobs, results, seconds));
-  }
-  if (!options.output.empty()) write_outputs(options, jobs, results, seconds);
-  return holds ? kHolds : kBroken;
+  CosimSummary summary{{}, seconds};
+  for (std::size_t i = 0; i < jobs.size(); ++i) summary.runs.push_back({&jobs[i].job, &results[i]});
+  for (const auto& result : results) fmt::print(stderr, "{}", result.message);
+  fmt::print("{}", options.json ? to_json(summary).dump(1) + "\n" : to_text(summary));
+  if (!options.output.empty()) write_outputs(options, jobs, results, summary);
+  return summary.holds() ? kHolds : kBroken;
 }
 
 std::string quoted(const std::string& argument) {

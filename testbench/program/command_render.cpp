@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "testbench/cosim/job.h"
 #include "testbench/error.h"
 #include "testbench/program/commands.h"
@@ -16,6 +18,7 @@ struct RenderOptions {
   std::string engine = "model";
   std::string output = "picture.png";
   bool map = false;
+  bool json = false;
 };
 
 constexpr std::array<std::string_view, 2> kEngineNames{"model", "rtl"};
@@ -41,6 +44,19 @@ std::filesystem::path beside(const std::filesystem::path& path, std::string_view
   return path.parent_path() / fmt::format("{}-{}{}", path.stem().string(), suffix, path.extension().string());
 }
 
+// Figures of the picture: its size, the probes and how many lookups raised each status bit.
+nlohmann::ordered_json to_json(const Picture& picture) {
+  std::int64_t probes = 0;
+  std::array<std::int64_t, kStatusNames.size()> raised{};
+  for (const auto& plan : picture.plans) {
+    probes += plan.probes.raw();
+    for (std::size_t bit = 0; bit < raised.size(); ++bit) raised[bit] += plan.status.raw() >> bit & 1;
+  }
+  nlohmann::ordered_json json{{"width", picture.width}, {"height", picture.height}, {"probes", probes}};
+  for (std::size_t bit = 0; bit < raised.size(); ++bit) json["status"][std::string(kStatusNames[bit])] = raised[bit];
+  return json;
+}
+
 int run_render(const RenderOptions& options) {
   const std::string extension = std::filesystem::path(options.output).extension().string();
   if (!extension.empty() && extension != ".png") bad_input(options.output, "--output", extension, "a .png file");
@@ -53,13 +69,25 @@ int run_render(const RenderOptions& options) {
       rtl ? render_rtl(subject, sampler, holds) : render_model(subject.gbuffer, sampler, subject.memory);
   if (!holds) return kBroken;
   const std::filesystem::path path = options.output;
+  const std::filesystem::path probe_map = beside(path, "probes");
+  const std::filesystem::path level_map = beside(path, "levels");
   write_picture(path, picture);
-  fmt::print("{}\n", path.string());
   if (options.map) {
-    write_probe_map(beside(path, "probes"), picture);
-    write_level_map(beside(path, "levels"), picture, static_cast<int>(sampler.last_level.raw()));
-    fmt::print("{}\n{}\n", beside(path, "probes").string(), beside(path, "levels").string());
+    write_probe_map(probe_map, picture);
+    write_level_map(level_map, picture, static_cast<int>(sampler.last_level.raw()));
   }
+  if (options.json) {
+    auto json = to_json(picture);
+    json["scene"] = subject.name;
+    json["mode"] = kModeNames[static_cast<std::size_t>(choice.mode)];
+    json["engine"] = options.engine;
+    json["picture"] = path.string();
+    if (options.map) json.update({{"probe_map", probe_map.string()}, {"level_map", level_map.string()}});
+    fmt::print("{}\n", json.dump(1));
+    return kHolds;
+  }
+  fmt::print("{}\n", path.string());
+  if (options.map) fmt::print("{}\n{}\n", probe_map.string(), level_map.string());
   return kHolds;
 }
 
@@ -75,6 +103,7 @@ void add_render(CLI::App& program, int& exit_code) {
   command->add_option("--engine", options->engine, "model or rtl")->capture_default_str();
   command->add_option("--output", options->output, "PNG to write")->capture_default_str();
   command->add_flag("--map", options->map, "write maps of probes and levels beside it");
+  command->add_flag("--json", options->json, "tell what was written, and figures, as JSON");
   command->callback([options, &exit_code] {
     options->subject.periodic = options->sampler.repeats();
     exit_code = run_render(*options);

@@ -23,6 +23,7 @@ void write_heat_map(const std::filesystem::path& path, const Rom& ellipse) {
   constexpr int kGap = 8;
   constexpr int kRows = kDefaultConfig.table_rows;
   constexpr int kColumns = kDefaultConfig.table_columns;
+  constexpr std::int64_t kMax = (std::int64_t{1} << kDefaultConfig.entry_bits) - 1;
   const int width = 4 * kColumns * kCell + 3 * kGap;
   const int height = kRows * kCell;
   std::vector<std::uint8_t> pixels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3, 255);
@@ -32,7 +33,9 @@ void write_heat_map(const std::filesystem::path& path, const Rom& ellipse) {
       const int within = x % (kColumns * kCell + kGap);
       if (within >= kColumns * kCell) continue;
       const auto word = static_cast<std::size_t>(y / kCell * kColumns + within / kCell);
-      const auto value = static_cast<int>(ellipse.words[word] >> (8 * (3 - panel)) & 255);
+      const EllipseEntry entry = ellipse_entry(kDefaultConfig, ellipse.words[word]);
+      const std::array values{entry.uv_scale, entry.uv_scale_90, entry.minor_radius, entry.major_radius};
+      const auto value = static_cast<int>(255 * values[static_cast<std::size_t>(panel)] / kMax);
       const auto at = static_cast<std::size_t>((y * width + x) * 3);
       // Black, red, yellow, white.
       for (std::size_t c = 0; c < 3; ++c) {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "tables/emit.h"
@@ -21,6 +22,7 @@ struct VectorsOptions {
   std::optional<std::uint64_t> random;
   std::uint64_t seed = 1;
   std::string output = ".";
+  bool json = false;
 };
 
 std::string hex_line(std::span<const std::uint32_t> words, int width) {
@@ -91,7 +93,7 @@ int run_vectors(const VectorsOptions& options) {
   }
   Files files;
   if (options.random) {
-    options.subject.refuse_with_random();
+    options.subject.check_random();
     // One sampler and texture: a simulator without a driver loads its state once.
     RandomBatches batches(options.seed, *options.random);
     batches.set_choices(options.sampler.random_choices());
@@ -104,12 +106,16 @@ int run_vectors(const VectorsOptions& options) {
     append_batch(files, options.seed, {sampler, &subject.memory, subject.gbuffer.lookups, 0});
     files["memory"] = memory_text(subject.memory);
   }
+  nlohmann::ordered_json json{{"stage", options.stage}, {"fingerprint", fmt::format("{:016x}", fingerprint<kUnit>())}};
+  if (options.random) json["seed"] = options.seed;
   for (const auto& [name, text] : files) {
     if (!wanted.empty() && std::ranges::find(wanted, name) == wanted.end()) continue;
     const auto path = directory / (name + ".hex");
     write_file_atomically(path, text);
-    fmt::print("{}\n", path.string());
+    json["files"][name] = path.string();
+    if (!options.json) fmt::print("{}\n", path.string());
   }
+  if (options.json) fmt::print("{}\n", json.dump(1));
   return kHolds;
 }
 
@@ -127,6 +133,7 @@ void add_vectors(CLI::App& program, int& exit_code) {
                       "so many random and directed lookups under a random sampler, instead of a scene");
   command->add_option("--seed", options->seed, "of the random lookups")->capture_default_str();
   command->add_option("--output", options->output, "directory for the files")->capture_default_str();
+  command->add_flag("--json", options->json, "tell what was written as JSON");
   command->add_option("--scene", options->subject.scene, "built-in scene");
   options->subject.add_to(*command);
   options->sampler.add_to(*command, false);

@@ -38,6 +38,15 @@ std::vector<Choice> parse_list(const std::string& option, const std::string& tex
   return choices;
 }
 
+// Random lookups bring their own textures and samplers: what else was chosen would be ignored.
+void refuse_with_random(const std::vector<const CLI::Option*>& options) {
+  for (const CLI::Option* option : options) {
+    if (option->count() == 0) continue;
+    bad_input("command line", option->get_name(), fmt::format("{}", fmt::join(option->results(), ",")),
+              "nothing together with --random");
+  }
+}
+
 }  // namespace
 
 Size parse_size(const std::string& option, const std::string& text) {
@@ -65,19 +74,28 @@ std::size_t parse_name(const std::string& option, const std::string& value, std:
 }
 
 void SubjectOptions::add_to(CLI::App& command) {
-  command.add_option("--gbuffer", gbuffer, "EXR with channels s, t, dsdx, dtdx, dsdy, dtdy, instead of a scene's");
-  command.add_option("--texture", texture, "image or .tx file, instead of the scene's texture");
-  command.add_option("--size", size, "picture size of a scene: N or WIDTHxHEIGHT")->capture_default_str();
-  command.add_option("--mip-filter", mip_filter, "makes a texture's mip levels: lanczos (radius 3) or box")
-      ->capture_default_str();
-  command.add_option("--texture-format", format, "r8, rg8 or rgba8, instead of what the file's channels say");
-  command.add_flag("--srgb", srgb, "the texture file's colours are sRGB encoded");
-  command.add_flag("--allow-non-finite", allow_non_finite, "take a G-buffer with NaN or infinity in it");
+  size_ = command.add_option("--size", size, "picture size of a scene: N or WIDTHxHEIGHT")->capture_default_str();
+  options_ = {
+      size_,
+      command.add_option("--gbuffer", gbuffer, "EXR with channels s, t, dsdx, dtdx, dsdy, dtdy, instead of a scene's"),
+      command.add_option("--texture", texture, "image or .tx file, instead of the scene's texture"),
+      command.add_option("--mip-filter", mip_filter, "makes a texture's mip levels: lanczos (radius 3) or box")
+          ->capture_default_str(),
+      command.add_option("--texture-format", format, "r8, rg8 or rgba8, instead of what the file's channels say"),
+      command.add_flag("--srgb", srgb, "the texture file's colours are sRGB encoded"),
+      command.add_flag("--allow-non-finite", allow_non_finite, "take a G-buffer with NaN or infinity in it")};
 }
 
 Subject SubjectOptions::load(const std::string& scene_name) const {
   if (texture.empty() && !gbuffer.empty() && scene_name.empty()) {
     bad_input("command line", "--texture", "nothing", "an image for the G-buffer, or --scene for a built-in texture");
+  }
+  if (texture.empty() && srgb) bad_input("command line", "--srgb", "given", "nothing without --texture");
+  if (texture.empty() && !format.empty()) {
+    bad_input("command line", "--texture-format", format, "nothing without --texture");
+  }
+  if (!gbuffer.empty() && size_->count() != 0) {
+    bad_input("command line", "--size", size, "nothing together with --gbuffer, which has its own");
   }
   Subject subject;
   const Scene& built_in = find_scene(scene_name.empty() ? scenes().front().name : std::string_view(scene_name));
@@ -117,17 +135,21 @@ void SamplerChoice::add_to(CLI::App& command, bool lists) {
   mode_ = add("--mode", modes, kModeNames);
   kernel_ = add("--kernel", kernels, kKernelNames);
   wrap_ = add("--wrap", wraps, kWrapNames);
-  command.add_option("--magnify", magnify, "nearest or linear; nearest is the default of mode nearest only");
-  command.add_option("--parameters", parameters, "exact, high_quality or high_efficiency (Feline 3.4)")
-      ->capture_default_str();
-  command.add_option("--length-factor", length_factor, "shortens the ellipse: above 0, to 1");
-  command.add_option("--blur-factor", blur_factor, "widens it at most so much: 1 to 1.996");
-  command.add_option("--alias-factor", alias_factor, "spreads probes at most so much: 1 to 2");
-  command.add_option("--max-probes", max_probes, "1 to 16")->capture_default_str();
-  command.add_option("--bias", bias, "level of detail bias: -16 to 15.996")->capture_default_str();
-  command.add_option("--min-level", min_level, "0 to 15.996")->capture_default_str();
-  command.add_option("--max-level", max_level, "0 to 15.996");
-  command.add_option("--border", border, "border colour R,G,B,A, each 0 to 1, linear")->delimiter(',')->expected(4);
+  const std::string probes = fmt::format("1 to {}", kDefaultConfig.max_probes);
+  others_ = {command.add_option("--wrap-t", wrap_t, "another wrap mode along t"),
+             command.add_option("--magnify", magnify, "nearest or linear; nearest is the default of mode nearest only"),
+             command.add_option("--parameters", parameters, "exact, high_quality or high_efficiency (Feline 3.4)")
+                 ->capture_default_str(),
+             command.add_option("--length-factor", length_factor, "shortens the ellipse: above 0, to 1"),
+             command.add_option("--blur-factor", blur_factor, "widens it at most so much: 1 to 1.996"),
+             command.add_option("--alias-factor", alias_factor, "spreads probes at most so much: 1 to 2"),
+             command.add_option("--max-probes", max_probes, probes)->capture_default_str(),
+             command.add_option("--bias", bias, "level of detail bias: -16 to 15.996")->capture_default_str(),
+             command.add_option("--min-level", min_level, "0 to 15.996")->capture_default_str(),
+             command.add_option("--max-level", max_level, "0 to 15.996"),
+             command.add_option("--border", border, "border colour R,G,B,A, each 0 to 1, linear")
+                 ->delimiter(',')
+                 ->expected(4)};
 }
 
 std::vector<SamplerOptions> SamplerChoice::combinations() const {
@@ -152,7 +174,8 @@ std::vector<SamplerOptions> SamplerChoice::combinations() const {
       for (const Wrap wrap : parse_list<Wrap>("--wrap", wraps, lists_, kWrapNames)) {
         options.mode = mode;
         options.kernel = kernel;
-        options.wrap_s = options.wrap_t = wrap;
+        options.wrap_s = wrap;
+        options.wrap_t = wrap_t.empty() ? wrap : static_cast<Wrap>(parse_name("--wrap-t", wrap_t, kWrapNames));
         options.magnify = magnify.empty() ? (mode == Mode::kNearest ? Magnify::kNearest : Magnify::kLinear)
                                           : static_cast<Magnify>(parse_name("--magnify", magnify, kMagnifyNames));
         all.push_back(options);
@@ -163,6 +186,7 @@ std::vector<SamplerOptions> SamplerChoice::combinations() const {
 }
 
 RandomBatches::Choices SamplerChoice::random_choices() const {
+  refuse_with_random(others_);
   RandomBatches::Choices choices;
   if (mode_->count() != 0) choices.modes = parse_list<Mode>("--mode", modes, lists_, kModeNames);
   if (kernel_->count() != 0) choices.kernels = parse_list<Kernel>("--kernel", kernels, lists_, kKernelNames);
@@ -170,10 +194,9 @@ RandomBatches::Choices SamplerChoice::random_choices() const {
   return choices;
 }
 
-void SubjectOptions::refuse_with_random() const {
-  for (const auto& [option, value] : {std::pair{"--scene", scene}, {"--gbuffer", gbuffer}, {"--texture", texture}}) {
-    if (!value.empty()) bad_input("command line", option, value, "nothing together with --random");
-  }
+void SubjectOptions::check_random() const {
+  if (!scene.empty()) bad_input("command line", "--scene", scene, "nothing together with --random");
+  refuse_with_random(options_);
 }
 
 SamplerState<kDefaultConfig> prepare_sampler(const SamplerOptions& options, const Texture& texture,

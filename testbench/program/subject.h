@@ -35,10 +35,14 @@ struct SubjectOptions {
   bool periodic = false;  // the wrap mode repeats: mip levels of a texture file have no seam
 
   void add_to(CLI::App& command);
-  // Throws InputError when files or a scene were named: random lookups bring their own textures.
-  void refuse_with_random() const;
+  // Throws InputError when anything here was chosen: random lookups bring their own textures.
+  void check_random() const;
   Subject load(const std::string& scene_name) const;
   Subject load() const { return load(scene); }
+
+ private:
+  const CLI::Option* size_ = nullptr;
+  std::vector<const CLI::Option*> options_;  // all of them
 };
 
 // "512" or "512x256"; InputError unless both are 1 .. 16384.
@@ -59,6 +63,7 @@ struct SamplerChoice {
   std::string modes = "table";
   std::string kernels = "bilinear";
   std::string wraps = "repeat";
+  std::string wrap_t;  // as wraps, if empty
   std::string magnify;
   std::string parameters = "exact";
   std::optional<double> length_factor, blur_factor, alias_factor;
@@ -72,8 +77,9 @@ struct SamplerChoice {
   // Every combination asked for, in the order mode, kernel, wrap.
   std::vector<SamplerOptions> combinations() const;
   SamplerOptions one() const { return combinations().front(); }
-  bool repeats() const { return wraps == "repeat"; }
-  // For random samplers: what was asked for, and of what was not, everything.
+  bool repeats() const { return wraps == "repeat" && (wrap_t.empty() || wrap_t == "repeat"); }
+  // For random samplers: of modes, kernels and wraps what was asked for, and of what was not, everything. Throws
+  // InputError when anything else was chosen.
   RandomBatches::Choices random_choices() const;
 
  private:
@@ -81,6 +87,7 @@ struct SamplerChoice {
   const CLI::Option* mode_ = nullptr;
   const CLI::Option* kernel_ = nullptr;
   const CLI::Option* wrap_ = nullptr;
+  std::vector<const CLI::Option*> others_;
 };
 
 // make_sampler with its complaint turned into an InputError.
