@@ -74,7 +74,6 @@ struct LevelTexels {
 template <Config kConfig>
 LevelTexels<kConfig> level_texels(const WalkBeat<kConfig>& walk, const SamplerState<kConfig>& sampler,
                                   std::int64_t level) {
-  using F = Formats<kConfig>;
   const bool linear = walk.linear.raw() != 0;
   const std::int64_t width = std::max<std::int64_t>(sampler.width.raw() >> level, 1);
   const std::int64_t height = std::max<std::int64_t>(sampler.height.raw() >> level, 1);
@@ -84,12 +83,11 @@ LevelTexels<kConfig> level_texels(const WalkBeat<kConfig>& walk, const SamplerSt
       axis_texels<kConfig>(walk.t.raw(), height, supported_wrap<kConfig>(static_cast<Wrap>(sampler.wrap_t.raw())),
                            linear),
       {}};
-  constexpr std::int64_t kTileMask = (std::int64_t{1} << F::kTileLog2) - 1;
-  const std::int64_t tiles_a_row = (width + kTileMask) >> F::kTileLog2;
+  constexpr std::int64_t kTileMask = (std::int64_t{1} << kTileLog2) - 1;
+  const std::int64_t tiles_a_row = (width + kTileMask) >> kTileLog2;
   const std::int64_t base = sampler.level_base[static_cast<std::size_t>(level)].raw();
   for (std::size_t i = 0; i < 4; ++i) {
-    texels.line[i] =
-        base + (texels.y.index[i / 2] >> F::kTileLog2) * tiles_a_row + (texels.x.index[i % 2] >> F::kTileLog2);
+    texels.line[i] = base + (texels.y.index[i / 2] >> kTileLog2) * tiles_a_row + (texels.x.index[i % 2] >> kTileLog2);
   }
   return texels;
 }

@@ -4,8 +4,8 @@
 // Takes  lines, texel indices and outside bits of two levels; texel format, sRGB, border colour; memory.
 // Gives  eight texels of red, green, blue, alpha U8.4, unit 1/255; fractions as they came.
 // Rounds sRGB decoding of red, green, blue: to nearest, by table. Other texels are exact: code * 16.
-// Edges  R8 gives (r, 0, 0, 1), RG8 (r, g, 0, 1); alpha is never decoded; a texel outside is the border colour, which
-//        is linear. Texels of a coarse level that is not used are 0.
+// Edges  R8 gives (r, 0, 0, 1), RG8 (r, g, 0, 1); alpha is never decoded; a texel outside is the sampler state's border
+//        colour, which is linear and has the format's channels only. Texels of a coarse level that is not used are 0.
 // Source CS248A lecture 4, step 6; IEC 61966-2-1 (sRGB); OpenGL 4.6, 8.14.2 (border), table 15.1 (missing channels).
 #pragma once
 
@@ -24,7 +24,7 @@ typename FetchBeat<kConfig>::Texel decode_texel(std::span<const std::uint8_t> li
   constexpr int kFraction = kConfig.channel_fraction_bits;
   const auto format = static_cast<TexelFormat>(sampler.texel_format.raw());
   const int channels = bytes_per_texel(format);
-  const auto slot = static_cast<std::size_t>((y & 3) * 4 + (x & 3));
+  const auto slot = static_cast<std::size_t>(y % kTileSide * kTileSide + x % kTileSide);
   const bool decodes = sampler.srgb.raw() != 0 && kConfig.features.srgb;
   typename FetchBeat<kConfig>::Texel texel{};
   texel[3] = Channel::from_raw(std::int64_t{255} << kFraction);

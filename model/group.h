@@ -8,7 +8,8 @@
 // Edges  Denormals are 0. |s| or |t| >= 2^19: the clamps saturate at 2^19, the repeats keep the value modulo 2^21.
 //        NaN coordinates are 0; infinite ones are +-2^19 (clamps) or 0 (repeats). A NaN or infinite derivative gives
 //        the unbounded footprint (127, 0), (0, 127), exponent 63. exponent > 63 saturates; exponent < -64 gives zeros
-//        at -64. -128 never occurs: negating a gradient negates its mantissas.
+//        at -64. -128 never occurs: negating a gradient negates its mantissas. Status: coordinate or derivative not
+//        finite; overflow where a clamp saturates a finite coordinate or exponent > 63 saturates.
 // Source McCormack et al., WRL 99/1, 3.2 (group scaling); CS248A lecture 4, steps 2 and 4.
 #pragma once
 
@@ -33,17 +34,21 @@ constexpr FloatParts float_parts(std::int64_t bits) {
   return {(bits >> 31) != 0, static_cast<int>((bits >> 23) & 255), bits & 0x7fffff};
 }
 
+// Whether a wrap mode saturates a coordinate, if it is a number.
 template <Config kConfig>
-Fixed<Formats<kConfig>::kPosition> to_position(std::int64_t bits, Wrap wrap) {
+constexpr bool saturates(const FloatParts& parts, Wrap wrap) {
+  const bool clamps = wrap == Wrap::kClampToEdge || wrap == Wrap::kClampToBorder;
+  return clamps && parts.exponent >= 127 + Formats<kConfig>::kSaturationLog2;
+}
+
+template <Config kConfig>
+Fixed<Formats<kConfig>::kPosition> to_position(const FloatParts& parts, Wrap wrap) {
   using F = Formats<kConfig>;
   using Position = Fixed<F::kPosition>;
-  const FloatParts parts = float_parts(bits);
-  const bool clamps = wrap == Wrap::kClampToEdge || wrap == Wrap::kClampToBorder;
   const bool is_nan = !parts.finite() && parts.fraction != 0;
   if (parts.exponent == 0 || is_nan) return Position{};
   constexpr std::int64_t kLimit = std::int64_t{1} << (F::kSaturationLog2 + F::kPositionFraction);
-  if (clamps && parts.exponent >= 127 + F::kSaturationLog2)
-    return Position::from_raw(parts.negative ? -kLimit : kLimit);
+  if (saturates<kConfig>(parts, wrap)) return Position::from_raw(parts.negative ? -kLimit : kLimit);
   if (!parts.finite()) return Position{};
   // The significand's unit is 2^(exponent - 150).
   const int left = parts.exponent - 150 + F::kPositionFraction;
@@ -65,15 +70,20 @@ GroupBeat<kConfig> group(const RequestBeat<kConfig>& request, const SamplerState
   using Mantissa = Fixed<F::kMantissa>;
   GroupBeat<kConfig> beat;
   beat.tag = request.tag;
-  beat.s = to_position<kConfig>(request.s.raw(), static_cast<Wrap>(sampler.wrap_s.raw()));
-  beat.t = to_position<kConfig>(request.t.raw(), static_cast<Wrap>(sampler.wrap_t.raw()));
+  const FloatParts s = float_parts(request.s.raw());
+  const FloatParts t = float_parts(request.t.raw());
+  const auto wrap_s = static_cast<Wrap>(sampler.wrap_s.raw());
+  const auto wrap_t = static_cast<Wrap>(sampler.wrap_t.raw());
+  beat.s = to_position<kConfig>(s, wrap_s);
+  beat.t = to_position<kConfig>(t, wrap_t);
 
   const std::array<FloatParts, 4> parts{float_parts(request.dsdx.raw()), float_parts(request.dtdx.raw()),
                                         float_parts(request.dsdy.raw()), float_parts(request.dtdy.raw())};
   const bool finite = std::ranges::all_of(parts, [](const FloatParts& p) { return p.finite(); });
-  const bool coordinates_finite = float_parts(request.s.raw()).finite() && float_parts(request.t.raw()).finite();
-  beat.status =
-      beat.status.from_raw((coordinates_finite ? 0 : kCoordinateNotFinite) | (finite ? 0 : kDerivativeNotFinite));
+  const bool overflows = (s.finite() && saturates<kConfig>(s, wrap_s)) || (t.finite() && saturates<kConfig>(t, wrap_t));
+  const std::int64_t status = (s.finite() && t.finite() ? 0 : kCoordinateNotFinite) |
+                              (finite ? 0 : kDerivativeNotFinite) | (overflows ? kOverflow : 0);
+  beat.status = beat.status.from_raw(status);
 
   constexpr std::int64_t kMax = F::kMantissa.max_raw();
   if (!finite) {
@@ -104,6 +114,7 @@ GroupBeat<kConfig> group(const RequestBeat<kConfig>& request, const SamplerState
     beat.exponent = beat.exponent.from_raw(F::kExponent.min_raw());
     return beat;
   }
+  if (exponent > F::kExponent.max_raw()) beat.status = beat.status.from_raw(status | kOverflow);
   beat.exponent = beat.exponent.saturate(exponent);
   const auto mantissa = [&](std::size_t i) {
     return Mantissa::from_raw(parts[i].negative ? -magnitude[i] : magnitude[i]);

@@ -6,20 +6,19 @@
 namespace feline {
 
 TextureMemory layout_texture(const Texture& texture) {
-  constexpr int kTile = 4;
   const auto texel_bytes = static_cast<std::size_t>(bytes_per_texel(texture.format));
   TextureMemory memory;
   for (const MipLevel& level : texture.levels) {
     const auto first = static_cast<std::int64_t>(memory.lines());
     memory.level_base.push_back(first);
-    const int tiles_a_row = (level.width + kTile - 1) / kTile;
-    const int tile_rows = (level.height + kTile - 1) / kTile;
+    const int tiles_a_row = (level.width + kTileSide - 1) / kTileSide;
+    const int tile_rows = (level.height + kTileSide - 1) / kTileSide;
     memory.bytes.resize(memory.bytes.size() +
                         static_cast<std::size_t>(tiles_a_row) * static_cast<std::size_t>(tile_rows) * kLineBytes);
     for (int y = 0; y < level.height; ++y) {
       for (int x = 0; x < level.width; ++x) {
-        const auto line = static_cast<std::size_t>(first + std::int64_t{y / kTile} * tiles_a_row + x / kTile);
-        const auto slot = static_cast<std::size_t>(y % kTile * kTile + x % kTile);
+        const auto line = static_cast<std::size_t>(first + std::int64_t{y / kTileSide} * tiles_a_row + x / kTileSide);
+        const auto slot = static_cast<std::size_t>(y % kTileSide * kTileSide + x % kTileSide);
         const auto from =
             (static_cast<std::size_t>(y) * static_cast<std::size_t>(level.width) + static_cast<std::size_t>(x)) *
             texel_bytes;

@@ -7,12 +7,14 @@
 #include <vector>
 
 #include "model/texture.h"
+#include "tables/formats.h"
 
 namespace feline {
 
 // A texture as the unit's memory holds it: lines of 64 bytes, each a 4 x 4 tile of texels, row by row, 1, 2 or 4 bytes
 // a texel from byte 0 on; levels follow each other. Texels of a tile beyond the level's edge are 0 and never read.
-inline constexpr int kLineBytes = 64;
+inline constexpr int kTileSide = 1 << kTileLog2;
+inline constexpr int kLineBytes = 4 * kTileSide * kTileSide;
 
 struct TextureMemory {
   std::vector<std::uint8_t> bytes;

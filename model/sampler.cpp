@@ -118,9 +118,11 @@ SamplerState<kConfig> make_sampler(const SamplerOptions& options, const Texture&
       checked("max level", options.max_level, 0, F::kSampledLevel.value(F::kSampledLevel.max_raw()));
   state.max_level = quantized<F::kSampledLevel>(max_level);
   state.min_level = quantized<F::kSampledLevel>(checked("min level", options.min_level, 0, max_level));
+  const auto channels = static_cast<std::size_t>(bytes_per_texel(texture.format));
   for (std::size_t c = 0; c < 4; ++c) {
     const double border = checked("border", options.border[c], 0, 1);
-    state.border[c] = quantized<F::kChannel>(255 * border);
+    const double missing = c == 3 ? 1 : 0;
+    state.border[c] = quantized<F::kChannel>(255 * (c < channels ? border : missing));
   }
   for (std::size_t k = 0; k < memory.level_base.size(); ++k) {
     state.level_base[k] = state.level_base[k].from_raw(memory.level_base[k]);

@@ -48,7 +48,8 @@ class SamplerError : public std::invalid_argument {
   std::string field, value, legal;
 };
 
-// The driver's work, once per texture and sampler. Factors, levels and border are rounded to nearest, ties away.
+// The driver's work, once per texture and sampler. Factors, levels and border are rounded to nearest, ties away. The
+// border has the texture's channels only: others are 0, alpha 1, as those of its texels (OpenGL 4.6, 8.14.2).
 // Throws SamplerError on anything illegal, a mip chain of wrong sizes included.
 template <Config kConfig>
 SamplerState<kConfig> make_sampler(const SamplerOptions& options, const Texture& texture, const TextureMemory& memory);

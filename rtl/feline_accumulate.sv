@@ -90,7 +90,7 @@ module feline_accumulate (
     beat.colour = colour;
   end
 
-  feline_stream_register #(.Width(feline_pkg::AccumulateBeatWidth)) u_accumulate (
+  feline_stream_register #(.Width(feline_pkg::AccumulateBeatWidth)) u_output (
     .clk_i, .rst_i,
     .valid_i(weighted_valid && weighted_q.last), .ready_o(beat_ready), .data_i(beat),
     .valid_o(accumulate_valid_o), .ready_i(accumulate_ready_i), .data_o(accumulate_o)

@@ -4,8 +4,8 @@
 // Takes  lines, texel indices and outside bits of two levels; texel format, sRGB, border colour; memory.
 // Gives  eight texels of red, green, blue, alpha U8.4, unit 1/255; fractions as they came.
 // Rounds sRGB decoding of red, green, blue: to nearest, by table. Other texels are exact: code * 16.
-// Edges  R8 gives (r, 0, 0, 1), RG8 (r, g, 0, 1); alpha is never decoded; a texel outside is the border colour, which
-//        is linear. Texels of a coarse level that is not used are 0.
+// Edges  R8 gives (r, 0, 0, 1), RG8 (r, g, 0, 1); alpha is never decoded; a texel outside is the sampler state's border
+//        colour, which is linear and has the format's channels only. Texels of a coarse level that is not used are 0.
 // Memory requests of single lines, responses in order, byte k of a line in bits 8k+7 .. 8k; one request at a time. A
 //        beat whose lines are all present passes in a cycle; otherwise it waits while its lines come, one by one.
 //        flush_i, only while no beat is inside, forgets every line.
@@ -157,7 +157,7 @@ module feline_fetch #(
     beat.coarse_11         = texel[7*TexelWidth +: TexelWidth];
   end
 
-  feline_stream_register #(.Width(feline_pkg::FetchBeatWidth)) u_fetch (
+  feline_stream_register #(.Width(feline_pkg::FetchBeatWidth)) u_output (
     .clk_i, .rst_i,
     .valid_i(words_valid), .ready_o(words_ready), .data_i(beat),
     .valid_o(fetch_valid_o), .ready_i(fetch_ready_i), .data_o(fetch_o)

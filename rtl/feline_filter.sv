@@ -177,7 +177,7 @@ module feline_filter (
     beat.colour = colour;
   end
 
-  feline_stream_register #(.Width(feline_pkg::FilterBeatWidth)) u_filter (
+  feline_stream_register #(.Width(feline_pkg::FilterBeatWidth)) u_output (
     .clk_i, .rst_i,
     .valid_i(levels_valid), .ready_o(levels_ready), .data_i(beat),
     .valid_o(filter_valid_o), .ready_i(filter_ready_i), .data_o(filter_o)

@@ -2,7 +2,7 @@
 // A float32 texture coordinate to fixed point (to_position of model/group.h).
 //
 // Takes  s or t, float32, normalized (1 = the texture's size); its wrap mode.
-// Gives  the coordinate S20.24 textures; whether it was finite.
+// Gives  the coordinate S20.24 textures; whether it was finite; whether a clamp saturates it, though it was.
 // Rounds nearest, ties away from zero.
 // Edges  Denormals are 0. |s| >= 2^19: the clamps saturate at 2^19, the repeats keep the value modulo 2^21. NaN is 0;
 //        infinity is +-2^19 (clamps) or 0 (repeats).
@@ -15,7 +15,8 @@ module feline_float_to_position #(
   input  wire logic [feline_pkg::Float32Width-1:0]    bits_i,
   input  wire logic [feline_pkg::WrapWidth-1:0]       wrap_i,
   output logic signed [feline_pkg::PositionWidth-1:0] position_o,
-  output logic                                        finite_o
+  output logic                                        finite_o,
+  output logic                                        overflow_o
 );
   localparam int unsigned SignificandWidth = feline_pkg::Float32Width - ExponentBits;
   localparam int unsigned FractionBits     = SignificandWidth - 1;
@@ -32,6 +33,7 @@ module feline_float_to_position #(
   logic [SignificandWidth-1:0]          significand;
   logic                                 clamps;
   logic                                 is_nan;
+  logic                                 saturates;
   logic [ExponentBits-1:0]              left;
   logic [ExponentBits-1:0]              right_less_one;
   logic [SignificandWidth-1:0]          halves;
@@ -45,6 +47,8 @@ module feline_float_to_position #(
   assign finite_o    = exponent != {ExponentBits{1'b1}};
   assign is_nan      = !finite_o && fraction != '0;
   assign clamps      = wrap_i == feline_pkg::WrapClampToEdge || wrap_i == feline_pkg::WrapClampToBorder;
+  assign saturates   = clamps && exponent >= SaturationExponent;
+  assign overflow_o  = saturates && finite_o;
 
   // Below UnitExponent the significand loses bits, all but the last in one shift; above, it gains zeros, and what
   // leaves the width, an infinity with it, is a multiple of 2^21.
@@ -56,7 +60,7 @@ module feline_float_to_position #(
   always_comb begin
     if (exponent == '0 || is_nan) begin
       magnitude = '0;
-    end else if (clamps && exponent >= SaturationExponent) begin
+    end else if (saturates) begin
       magnitude = Limit;
     end else if (exponent < UnitExponent) begin
       magnitude = feline_pkg::PositionWidth'(rounded);

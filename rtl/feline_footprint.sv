@@ -183,7 +183,7 @@ module feline_footprint (
   assign footprint_d.major_radius = is_table ? ellipse_major : place_q.longer.longer_length;
   assign footprint_d.minor_radius = is_table ? ellipse_minor : place_q.longer.minor;
 
-  feline_stream_register #(.Width($bits(footprint_d))) u_footprint (
+  feline_stream_register #(.Width($bits(footprint_d))) u_output (
     .clk_i, .rst_i,
     .valid_i(place_valid), .ready_o(place_ready), .data_i(footprint_d),
     .valid_o(footprint_valid_o), .ready_i(footprint_ready_i), .data_o(footprint_o)

@@ -8,7 +8,8 @@
 // Edges  Denormals are 0. |s| or |t| >= 2^19: the clamps saturate at 2^19, the repeats keep the value modulo 2^21.
 //        NaN coordinates are 0; infinite ones are +-2^19 (clamps) or 0 (repeats). A NaN or infinite derivative gives
 //        the unbounded footprint (127, 0), (0, 127), exponent 63. exponent > 63 saturates; exponent < -64 gives zeros
-//        at -64. -128 never occurs: negating a gradient negates its mantissas.
+//        at -64. -128 never occurs: negating a gradient negates its mantissas. Status: coordinate or derivative not
+//        finite; overflow where a clamp saturates a finite coordinate or exponent > 63 saturates.
 // Source McCormack et al., WRL 99/1, 3.2 (group scaling); CS248A lecture 4, steps 2 and 4.
 // Takes two steps: products and their leading ones | align and round.
 `default_nettype none
@@ -34,6 +35,7 @@ module feline_group (
   typedef struct packed {
     logic [feline_pkg::TagWidth-1:0]      tag;
     logic                                 coordinates_finite;
+    logic                                 coordinates_overflow;
     logic                                 finite;
     logic [feline_pkg::PositionWidth-1:0] s;
     logic [feline_pkg::PositionWidth-1:0] t;
@@ -48,21 +50,26 @@ module feline_group (
   products_t                 products_d;
   logic                      s_finite;
   logic                      t_finite;
+  logic                      s_overflow;
+  logic                      t_overflow;
   logic [3:0]                finite;
   logic [4*Float32Width-1:0] derivatives;
   logic [4*SizeWidth-1:0]    sizes;
   logic [4*TopWidth-1:0]     tops;
   logic [TopWidth-1:0]       top;
 
-  assign products_d.tag                = request_i.tag;
-  assign products_d.coordinates_finite = s_finite && t_finite;
-  assign products_d.finite             = finite == 4'hf;
+  assign products_d.tag                  = request_i.tag;
+  assign products_d.coordinates_finite   = s_finite && t_finite;
+  assign products_d.coordinates_overflow = s_overflow || t_overflow;
+  assign products_d.finite               = finite == 4'hf;
 
   feline_float_to_position #(.ExponentBits(ExponentBits)) u_position_s (
-    .bits_i(request_i.s), .wrap_i(sampler_i.wrap_s), .position_o(products_d.s), .finite_o(s_finite)
+    .bits_i(request_i.s), .wrap_i(sampler_i.wrap_s), .position_o(products_d.s), .finite_o(s_finite),
+    .overflow_o(s_overflow)
   );
   feline_float_to_position #(.ExponentBits(ExponentBits)) u_position_t (
-    .bits_i(request_i.t), .wrap_i(sampler_i.wrap_t), .position_o(products_d.t), .finite_o(t_finite)
+    .bits_i(request_i.t), .wrap_i(sampler_i.wrap_t), .position_o(products_d.t), .finite_o(t_finite),
+    .overflow_o(t_overflow)
   );
 
   assign derivatives = {request_i.dtdy, request_i.dsdy, request_i.dtdx, request_i.dsdx};
@@ -105,17 +112,19 @@ module feline_group (
   feline_pkg::group_t                 group_d;
   logic [feline_pkg::StatusWidth-1:0] status;
   logic [4*MantissaWidth-1:0]         mantissa;
+  logic                               exponent_overflow;
 
   feline_group_mantissas #(.ExponentBits(ExponentBits), .ProductWidth(ProductWidth)) u_group_mantissas (
     .finite_i(products_q.finite), .top_i(products_q.top), .negative_i(products_q.negative),
     .exponent_i(products_q.exponent), .product_i(products_q.product),
-    .exponent_o(group_d.exponent), .mantissa_o(mantissa)
+    .exponent_o(group_d.exponent), .mantissa_o(mantissa), .overflow_o(exponent_overflow)
   );
 
   always_comb begin
     status = '0;
     status[feline_pkg::StatusCoordinateNotFinite] = !products_q.coordinates_finite;
     status[feline_pkg::StatusDerivativeNotFinite] = !products_q.finite;
+    status[feline_pkg::StatusOverflow]            = products_q.coordinates_overflow || exponent_overflow;
   end
   assign group_d.tag    = products_q.tag;
   assign group_d.status = status;
@@ -126,7 +135,7 @@ module feline_group (
   assign group_d.dudy   = mantissa[2*MantissaWidth +: MantissaWidth];
   assign group_d.dvdy   = mantissa[3*MantissaWidth +: MantissaWidth];
 
-  feline_stream_register #(.Width($bits(group_d))) u_group (
+  feline_stream_register #(.Width($bits(group_d))) u_output (
     .clk_i, .rst_i,
     .valid_i(products_valid), .ready_o(products_ready), .data_i(group_d),
     .valid_o(group_valid_o), .ready_i(group_ready_i), .data_o(group_o)

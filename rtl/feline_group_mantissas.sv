@@ -3,7 +3,8 @@
 //
 // Takes  of ds/dx, dt/dx, ds/dy, dt/dy, the first lowest: sign and |derivative| in texels = product * 2^(exponent -
 //        150) (feline_texel_product); the largest top of the four; whether all four were finite.
-// Gives  dudx, dvdx, dudy, dvdy, the first lowest, S7.0 in texels of level 0 * 2^exponent; exponent S6.0.
+// Gives  dudx, dvdx, dudy, dvdy, the first lowest, S7.0 in texels of level 0 * 2^exponent; exponent S6.0; whether it
+//        saturates, though all four were finite.
 // Rounds outward (away from zero), so that a footprint is never taken for smaller than it is and a growing one never
 //        shrinks; the largest magnitude is 64 .. 127.
 // Edges  Not finite: the unbounded footprint (127, 0), (0, 127), exponent 63. exponent > 63 saturates; exponent < -64,
@@ -21,7 +22,8 @@ module feline_group_mantissas #(
   input  wire logic [4*ExponentBits-1:0]              exponent_i,
   input  wire logic [4*ProductWidth-1:0]              product_i,
   output logic signed [feline_pkg::ExponentWidth-1:0] exponent_o,
-  output logic [4*feline_pkg::MantissaWidth-1:0]      mantissa_o
+  output logic [4*feline_pkg::MantissaWidth-1:0]      mantissa_o,
+  output logic                                        overflow_o
 );
   localparam int unsigned MantissaWidth = feline_pkg::MantissaWidth;
   localparam int unsigned MagnitudeBits = MantissaWidth - 1;
@@ -42,6 +44,8 @@ module feline_group_mantissas #(
   assign halved   = too_large != '0;
   assign exponent = SumWidth'(top_i) - SumWidth'(UnitExponent + MagnitudeBits) + SumWidth'(halved);
   assign vanishes = exponent < MinExponent;
+
+  assign overflow_o = finite_i && exponent > MaxExponent;
 
   for (genvar i = 0; i < 4; i++) begin : gen_mantissa
     // Of the four values for an infinite footprint only the first and the last are not 0.
@@ -80,7 +84,7 @@ module feline_group_mantissas #(
   end
 
   always_comb begin
-    if (!finite_i || exponent > MaxExponent) begin
+    if (!finite_i || overflow_o) begin
       exponent_o = MaxExponent[feline_pkg::ExponentWidth-1:0];
     end else if (vanishes) begin
       exponent_o = MinExponent[feline_pkg::ExponentWidth-1:0];

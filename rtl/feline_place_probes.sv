@@ -156,7 +156,7 @@ module feline_place_probes #(
     assign unused_level = ^{level_q.product_s, level_q.product_t, level_q.line, level_q.exponent};
   end
 
-  feline_stream_register #(.Width($bits(plan_d))) u_plan (
+  feline_stream_register #(.Width($bits(plan_d))) u_output (
     .clk_i, .rst_i,
     .valid_i(level_valid), .ready_o(level_ready), .data_i(plan_d),
     .valid_o(plan_valid_o), .ready_i(plan_ready_i), .data_o(plan_o)

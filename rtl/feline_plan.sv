@@ -1,17 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 // plan: radii to probe count, level of detail, step vector and weight row.
 //
-// Takes  major_u, major_v S8.8, major_radius, minor_radius U8.7, texel * 2^exponent; the sampler state.
+// Takes  major_u, major_v S8.8, major_radius, minor_radius U8.7, texel * 2^exponent, as footprint makes them: minor
+//        <= major, and major is 0 or at least 64; the sampler state.
 // Gives  probes 1 .. 16; half_step_s, half_step_t S19.24 textures, half the distance of two probes; weight_row;
-//        level_of_detail U4.8, biased and clamped; linear: whether texels are interpolated.
-// Rounds length and blur factors, the widened radius: nearest, ties up. The radius whose log2 is taken: nearest, ties
-//        up, to 9 significant bits; log2 of it: to nearest. (major - minor)/major: down to 12 bits. (major -
-//        minor)/major/(probes - 1): nearest, ties up, to 16 bits. Half step: nearest, ties away from zero, once.
+//        level_of_detail U4.8, biased and clamped; linear: whether texels are interpolated, which the magnification
+//        filter decides where the biased and clamped level is 0, however many probes there are.
+// Rounds length and blur factors, the widened radius: nearest, ties up. Division by a count: product with the nearest
+//        16-bit reciprocal (reciprocal ROM). The radius whose log2 is taken: nearest, ties up, to 9 significant bits;
+//        log2 of it: to nearest. (major - minor) over the major radius before lengthFactor: down to 12 bits; that over
+//        probes - 1: nearest, ties up, to 16 bits. ext: half of 1/(probes + 1), nearest, ties up, to 16 bits. Half
+//        step: nearest, ties away from zero, once.
 // Edges  A radius below one texel is one texel; when the major one is, too, there is one probe, and the level of detail
-//        is that of the major radius, below 0, as a bias needs it. A footprint wider than the 1 x 1 level takes one
-//        probe. Level of detail before the bias saturates at -32 and 31.996. minor_radius 0 means max_probes.
+//        is that of the major radius, below 0, as a bias needs it. ext just above one texel takes two probes, each at
+//        level 0. A footprint wider than the 1 x 1 level takes one probe. Level of detail before the bias saturates at
+//        -32 and 31.996. minor_radius 0 means max_probes.
 // Source WRL 99/1, 3.1, 3.2, 3.4; EXT_texture_filter_anisotropic (ext); Vulkan 1.3, 16.8 (bias, clamp, magnification).
-//        The weight row's rule is model/plan.h's.
+//        Weight row: fProbes in quarters (a row stands for its middle, a whole row for itself), kept within the four
+//        rows of its probe count. The printed rule, the smaller of fProbes and iProbes, meets the row of one probe less
+//        when 3.4's ceiling rounds up by more than 3/4.
 // Takes five steps: clamp the radii | choose the probes | fit the radius (feline_count_probes) | level and line | half
 //        step (feline_place_probes).
 `default_nettype none

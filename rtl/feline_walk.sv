@@ -76,7 +76,7 @@ module feline_walk (
     end
   end
 
-  feline_stream_register #(.Width(feline_pkg::WalkBeatWidth)) u_walk (
+  feline_stream_register #(.Width(feline_pkg::WalkBeatWidth)) u_output (
     .clk_i, .rst_i,
     .valid_i(plan_valid_i), .ready_o(beat_ready), .data_i(beat),
     .valid_o(walk_valid_o), .ready_i(walk_ready_i), .data_o(walk_o)

@@ -3,9 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-
-#include "tables/roms.h"
 
 namespace feline {
 namespace {
@@ -69,21 +66,6 @@ EllipseScales least_worst(const Config& config, int row, int column) {
   return low;
 }
 
-std::array<double, 4> middles(const EllipseScales& scales) {
-  return {scales[0].middle(), scales[1].middle(), scales[2].middle(), scales[3].middle()};
-}
-
-// What a lookup of at most 16 probes makes of four scales.
-struct Outcome {
-  double minor, major, end_u, end_v;
-};
-
-Outcome outcome(const std::array<double, 4>& scales) {
-  const double minor = std::max(scales[2], scales[3] / 8.5);
-  const double along = (scales[3] - minor) / scales[3];
-  return {minor, scales[3], scales[0] * along, scales[1] * along};
-}
-
 }  // namespace
 
 EllipseScales ellipse_scales(int rows, int columns, const CellPoint& point) {
@@ -141,46 +123,43 @@ EllipseEntry ellipse_entry(const Config& config, std::uint64_t word) {
   return {part(3), part(2), part(1), part(0)};
 }
 
-EllipseErrors judge_ellipse(const Config& config, Rom& rom, int lattice) {
-  EllipseErrors errors;
-  double points = 0;
+std::array<double, 4> entry_scales(const Config& config, std::uint64_t word) {
+  const EllipseEntry entry = ellipse_entry(config, word);
+  const std::array<std::int64_t, 4> raw{entry.uv_scale, entry.uv_scale_90, entry.minor_radius, entry.major_radius};
+  const auto bits = fraction_bits(config);
+  std::array<double, 4> scales{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    scales[i] = static_cast<double>(raw[i]) / static_cast<double>(std::int64_t{1} << bits[i]);
+  }
+  return scales;
+}
+
+void judge_ellipse(const Config& config, Rom& rom) {
+  constexpr int kLattice = 32;
   rom.worst_error = 0;
+  const auto compare = [&](std::size_t word, const std::array<double, 4>& held, const EllipseScales& real) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double error = std::abs(held[i] - real[i].middle());
+      if (error <= rom.worst_error) continue;
+      rom.worst_error = error;
+      rom.worst_word = word;
+    }
+  };
   for (std::size_t word = 0; word < rom.words.size(); ++word) {
-    const auto entry = ellipse_entry(config, rom.words[word]);
-    const double one = static_cast<double>(std::int64_t{1} << config.entry_bits);
-    const std::array<double, 4> held{
-        2 * static_cast<double>(entry.uv_scale) / one, static_cast<double>(entry.uv_scale_90) / one,
-        static_cast<double>(entry.minor_radius) / one, 2 * static_cast<double>(entry.major_radius) / one};
+    const auto held = entry_scales(config, rom.words[word]);
     const int row = static_cast<int>(word) / config.table_columns;
     const int column = static_cast<int>(word) % config.table_columns;
-    for (int x = 0; x <= lattice; ++x) {
-      for (int y = 0; y <= lattice; ++y) {
-        const auto real =
-            middles(ellipse_scales(config.table_rows, config.table_columns, {row, column, x, y, lattice}));
-        for (std::size_t i = 0; i < 4; ++i) {
-          const double error = std::abs(held[i] - real[i]);
-          if (error > rom.worst_error) rom.worst_word = word;
-          rom.worst_error = std::max(rom.worst_error, error);
-        }
-        const Outcome got = outcome(held);
-        const Outcome want = outcome(real);
-        const double level = std::abs(std::log2(got.minor / want.minor));
-        const double major = std::abs(got.major / want.major - 1);
-        const double line = std::hypot(got.end_u - want.end_u, got.end_v - want.end_v) / want.minor;
-        errors.worst_level = std::max(errors.worst_level, level);
-        errors.worst_major = std::max(errors.worst_major, major);
-        errors.worst_line = std::max(errors.worst_line, line);
-        errors.mean_level += level;
-        errors.mean_major += major;
-        errors.mean_line += line;
-        points += 1;
+    for (int x = 0; x <= kLattice; ++x) {
+      for (int y = 0; y <= kLattice; ++y) {
+        compare(word, held, ellipse_scales(config.table_rows, config.table_columns, {row, column, x, y, kLattice}));
       }
     }
+    // Towards the circle the axis turns from the longer vector to half way between both, by how one comes there.
+    if (row == config.table_rows - 1 && column == config.table_columns / 2) {
+      const Interval diagonal = square_root(Interval::ratio(1, 2));
+      compare(word, held, {diagonal, diagonal, Interval::integer(1), Interval::integer(1)});
+    }
   }
-  errors.mean_level /= points;
-  errors.mean_major /= points;
-  errors.mean_line /= points;
-  return errors;
 }
 
 }  // namespace feline

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "tables/interval.h"
+#include "tables/roms.h"
 
 namespace feline {
 
@@ -17,5 +18,8 @@ struct CellPoint {
   int row, column, x, y, steps;
 };
 EllipseScales ellipse_scales(int rows, int columns, const CellPoint& point);
+
+// The four scales that a word of the table holds.
+std::array<double, 4> entry_scales(const Config& config, std::uint64_t word);
 
 }  // namespace feline

@@ -61,7 +61,7 @@ PackageParts package_parts() {
   parts.levels = F::kLevels;
   parts.weight_columns = F::kWeightColumns;
   parts.gaussian_rows = F::kGaussianRows;
-  parts.tile_log2 = F::kTileLog2;
+  parts.tile_log2 = kTileLog2;
   parts.saturation_log2 = F::kSaturationLog2;
   return parts;
 }
@@ -97,12 +97,12 @@ std::vector<GeneratedFile> generate(const Roms& measured) {
   return files;
 }
 
-// The ROMs with every error measured, the ellipse table's on a lattice of 33 x 33 points a cell.
+// The ROMs with every error measured.
 template <Config kConfig>
 Roms measured_roms() {
-  constexpr int kLattice = 32;
   Roms measured = roms<kConfig>();
-  judge_ellipse(kConfig, measured.ellipse, kLattice);
+  judge_ellipse(kConfig, measured.ellipse);
+  judge_weights(kConfig, measured.weight);
   return measured;
 }
 

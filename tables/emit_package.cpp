@@ -44,7 +44,9 @@ std::vector<ConfigField> feature_fields(const Features& f) {
           {"FeatureClampToBorder", f.clamp_to_border}};
 }
 
-void emit_enum(std::string& out, const char* prefix, std::span<const std::string_view> names, int width) {
+// Codes as wide as they need to be, which is how wide formats.h makes them.
+void emit_enum(std::string& out, const char* prefix, std::span<const std::string_view> names) {
+  const int width = bits_for(names.size());
   for (std::size_t code = 0; code < names.size(); ++code) {
     out += fmt::format("  localparam logic [{}:0] {}{} = {}'d{};\n", width - 1, prefix, upper_camel(names[code]), width,
                        code);
@@ -126,12 +128,12 @@ std::string emit_package(const Config& config, const PackageParts& parts, std::u
       out += fmt::format("  localparam int unsigned {}Fraction = {};\n", name, format.fraction_bits);
   }
   out += "\n  // Codes.\n";
-  emit_enum(out, "Mode", kModeNames, 3);
-  emit_enum(out, "Kernel", kKernelNames, 1);
-  emit_enum(out, "Magnify", kMagnifyNames, 1);
-  emit_enum(out, "Wrap", kWrapNames, 2);
-  emit_enum(out, "TexelFormat", kTexelFormatNames, 2);
-  emit_enum(out, "ProbeRounding", kProbeRoundingNames, 1);
+  emit_enum(out, "Mode", kModeNames);
+  emit_enum(out, "Kernel", kKernelNames);
+  emit_enum(out, "Magnify", kMagnifyNames);
+  emit_enum(out, "Wrap", kWrapNames);
+  emit_enum(out, "TexelFormat", kTexelFormatNames);
+  emit_enum(out, "ProbeRounding", kProbeRoundingNames);
   out += "  // Bits of the status.\n";
   for (std::size_t bit = 0; bit < kStatusNames.size(); ++bit) {
     out += fmt::format("  localparam int unsigned Status{} = {};\n", upper_camel(kStatusNames[bit]), bit);

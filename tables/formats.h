@@ -5,19 +5,24 @@
 
 #include "tables/config.h"
 #include "tables/format.h"
+#include "tables/sampler_enums.h"
 
 namespace feline {
 
 // The bits that hold the values 0 .. count - 1.
-constexpr int bits_for(int count) {
+constexpr int bits_for(std::size_t count) {
   int bits = 1;
-  while ((1 << bits) < count) ++bits;
+  while ((std::size_t{1} << bits) < count) ++bits;
   return bits;
 }
+constexpr int bits_for(int count) { return bits_for(static_cast<std::size_t>(count)); }
+
+// A 4 x 4 tile of texels is one memory line.
+inline constexpr int kTileLog2 = 2;
 
 // Every format of the machine. Each width is stated or derived here and nowhere else.
 template <Config kConfig>
-struct Formats {
+struct Formats : LegalConfig<kConfig> {
   static constexpr int kMagnitudeBits = kConfig.mantissa_bits - 1;
   static constexpr int kSizeBits = kConfig.max_size_log2;
   static constexpr int kProbeBits = bits_for(kConfig.max_probes);
@@ -25,8 +30,6 @@ struct Formats {
   static constexpr int kFilterFraction = 2 * kConfig.subtexel_bits + kConfig.level_fraction_bits;
   // The coefficients of the two-part linear length are multiples of 1/128 (Feline 3.2).
   static constexpr int kLengthFraction = 7;
-  // A 4 x 4 tile of texels is one memory line.
-  static constexpr int kTileLog2 = 2;
   static constexpr int kLevels = kConfig.max_size_log2 + 1;
   static constexpr int kGaussianRows = 4 * kConfig.max_probes - 3;
   static constexpr int kWeightRows = kGaussianRows + kConfig.max_probes;
@@ -41,7 +44,7 @@ struct Formats {
 
   static constexpr Format kTag{"tag", false, kConfig.tag_bits, 0, "lookup"};
   static constexpr Format kFlag{"flag", false, 1, 0, "truth"};
-  static constexpr Format kStatus{"status", false, 3, 0, "bits"};
+  static constexpr Format kStatus{"status", false, static_cast<int>(kStatusNames.size()), 0, "bits"};
   static constexpr Format kFloat{"float32", false, 32, 0, "IEEE 754 bits"};
 
   static constexpr Format kMantissa{"mantissa", true, kMagnitudeBits, 0, "texel * 2^exponent"};
@@ -78,9 +81,9 @@ struct Formats {
                                        "1/255"};
   static constexpr Format kPixel{"pixel", false, 8, kConfig.pixel_fraction_bits, "1/255"};
 
-  static constexpr Format kMode{"mode", false, 3, 0, "code"};
-  static constexpr Format kWrap{"wrap", false, 2, 0, "code"};
-  static constexpr Format kTexelFormat{"texel_format", false, 2, 0, "code"};
+  static constexpr Format kMode{"mode", false, bits_for(kModeNames.size()), 0, "code"};
+  static constexpr Format kWrap{"wrap", false, bits_for(kWrapNames.size()), 0, "code"};
+  static constexpr Format kTexelFormat{"texel_format", false, bits_for(kTexelFormatNames.size()), 0, "code"};
 
   // All of the above, for the generated package.
   static constexpr std::array kAll{

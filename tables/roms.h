@@ -9,8 +9,8 @@
 
 namespace feline {
 
-// One read-only memory of the machine and what its generator found out about it. The largest error is taken over the
-// whole domain against the real function, in the unit named; it is exact to the digits of a double.
+// One read-only memory of the machine and what its generator found out about it. The largest error is taken over all
+// that the words stand for, against the real function, in the unit named; it is exact to the digits of a double.
 struct Rom {
   std::string name;      // log2; the RTL module is feline_rom_log2
   std::string contents;  // what word i holds, with formats and source
@@ -33,14 +33,6 @@ struct EllipseEntry {
 // How an entry stands for its cell.
 enum class CellRepresentation : std::uint8_t { kCentre, kLeastWorst, kLeastMean };
 
-// Errors of one representation over all cells: level of detail in octaves with at most 16 probes, relative major
-// radius, and the end of the probe line in minor radii.
-struct EllipseErrors {
-  double worst_level = 0, mean_level = 0;
-  double worst_major = 0, mean_major = 0;
-  double worst_line = 0, mean_line = 0;
-};
-
 struct Roms {
   Rom ellipse;
   Rom weight;
@@ -59,7 +51,7 @@ Rom gaussian_rom(const Config& config);
 Rom log2_rom(const Config& config);
 Rom reciprocal_rom(const Config& config);
 Rom srgb_rom(const Config& config);
-// All of them, built when first asked for; the ellipse table without its errors, which take a while.
+// All of them, built when first asked for; ellipse table and weights without their errors, which take a while.
 template <Config kConfig>
 const Roms& roms() {
   static const Roms built{ellipse_rom(kConfig), weight_rom(kConfig),     gaussian_rom(kConfig),
@@ -68,8 +60,9 @@ const Roms& roms() {
 }
 
 EllipseEntry ellipse_entry(const Config& config, std::uint64_t word);
-// Measures a table against the real ellipse on a lattice of (lattice + 1)^2 points a cell, its edges included, and
-// fills the table's own worst error: the largest of its four values' errors, in units of the longer vector.
-EllipseErrors judge_ellipse(const Config& config, Rom& rom, int lattice);
+// Fill a table's worst error. Ellipse: the largest of the four values' errors on a lattice of 33 x 33 points a cell,
+// its edges included, and in the limit at the circle, where it is largest. Weights: over all fProbes that a row serves.
+void judge_ellipse(const Config& config, Rom& rom);
+void judge_weights(const Config& config, Rom& rom);
 
 }  // namespace feline

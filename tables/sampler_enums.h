@@ -29,9 +29,10 @@ enum StatusBit : std::uint8_t {
   kCoordinateNotFinite = 1,  // s or t: NaN reads as 0, infinity as the far edge (clamps) or 0 (repeats)
   kDerivativeNotFinite = 2,  // any NaN or infinity: the footprint has no bound: one probe at the coarsest level
   kUnsupported = 4,          // the sampler state asks for a feature that the configuration leaves out
+  kOverflow = 8,             // a finite coordinate that a clamp saturates, or a footprint beyond the largest exponent
 };
-inline constexpr std::array<std::string_view, 3> kStatusNames{"coordinate_not_finite", "derivative_not_finite",
-                                                              "unsupported"};
+inline constexpr std::array<std::string_view, 4> kStatusNames{"coordinate_not_finite", "derivative_not_finite",
+                                                              "unsupported", "overflow"};
 
 constexpr int bytes_per_texel(TexelFormat format) {
   return format == TexelFormat::kR8 ? 1 : format == TexelFormat::kRg8 ? 2 : 4;

@@ -41,7 +41,7 @@ package feline_pkg;
   // Widths and fraction bits of the formats.
   localparam int unsigned TagWidth = 16;  // U16.0, lookup
   localparam int unsigned FlagWidth = 1;  // U1.0, truth
-  localparam int unsigned StatusWidth = 3;  // U3.0, bits
+  localparam int unsigned StatusWidth = 4;  // U4.0, bits
   localparam int unsigned Float32Width = 32;  // U32.0, IEEE 754 bits
   localparam int unsigned MantissaWidth = 8;  // S7.0, texel * 2^exponent
   localparam int unsigned ExponentWidth = 7;  // S6.0, octave
@@ -119,6 +119,7 @@ package feline_pkg;
   localparam int unsigned StatusCoordinateNotFinite = 0;
   localparam int unsigned StatusDerivativeNotFinite = 1;
   localparam int unsigned StatusUnsupported = 2;
+  localparam int unsigned StatusOverflow = 3;
 
   // The sampler state and the beats (tables/sampler_state.h, tables/beats.h).
   typedef struct packed {
@@ -164,7 +165,7 @@ package feline_pkg;
 
   typedef struct packed {
     logic [15:0] tag;  // U16.0, lookup
-    logic [2:0] status;  // U3.0, bits
+    logic [3:0] status;  // U4.0, bits
     logic signed [44:0] s;  // S20.24, texture
     logic signed [44:0] t;  // S20.24, texture
     logic signed [6:0] exponent;  // S6.0, octave
@@ -173,11 +174,11 @@ package feline_pkg;
     logic signed [7:0] dudy;  // S7.0, texel * 2^exponent
     logic signed [7:0] dvdy;  // S7.0, texel * 2^exponent
   } group_t;
-  localparam int unsigned GroupBeatWidth = 148;
+  localparam int unsigned GroupBeatWidth = 149;
 
   typedef struct packed {
     logic [15:0] tag;  // U16.0, lookup
-    logic [2:0] status;  // U3.0, bits
+    logic [3:0] status;  // U4.0, bits
     logic signed [44:0] s;  // S20.24, texture
     logic signed [44:0] t;  // S20.24, texture
     logic signed [6:0] exponent;  // S6.0, octave
@@ -186,11 +187,11 @@ package feline_pkg;
     logic [14:0] major_radius;  // U8.7, texel * 2^exponent
     logic [14:0] minor_radius;  // U8.7, texel * 2^exponent
   } footprint_t;
-  localparam int unsigned FootprintBeatWidth = 180;
+  localparam int unsigned FootprintBeatWidth = 181;
 
   typedef struct packed {
     logic [15:0] tag;  // U16.0, lookup
-    logic [2:0] status;  // U3.0, bits
+    logic [3:0] status;  // U4.0, bits
     logic signed [44:0] s;  // S20.24, texture
     logic signed [44:0] t;  // S20.24, texture
     logic signed [43:0] half_step_s;  // S19.24, texture
@@ -200,11 +201,11 @@ package feline_pkg;
     logic [11:0] level_of_detail;  // U4.8, octave
     logic linear;  // U1.0, truth
   } plan_t;
-  localparam int unsigned PlanBeatWidth = 222;
+  localparam int unsigned PlanBeatWidth = 223;
 
   typedef struct packed {
     logic [15:0] tag;  // U16.0, lookup
-    logic [2:0] status;  // U3.0, bits
+    logic [3:0] status;  // U4.0, bits
     logic [3:0] probe;  // U4.0, probe
     logic first;  // U1.0, truth
     logic last;  // U1.0, truth
@@ -214,11 +215,11 @@ package feline_pkg;
     logic [11:0] level_of_detail;  // U4.8, octave
     logic linear;  // U1.0, truth
   } walk_t;
-  localparam int unsigned WalkBeatWidth = 137;
+  localparam int unsigned WalkBeatWidth = 138;
 
   typedef struct packed {
     logic [15:0] tag;  // U16.0, lookup
-    logic [2:0] status;  // U3.0, bits
+    logic [3:0] status;  // U4.0, bits
     logic [3:0] probe;  // U4.0, probe
     logic first;  // U1.0, truth
     logic last;  // U1.0, truth
@@ -240,11 +241,11 @@ package feline_pkg;
     logic [7:0] coarse_fraction_y;  // U0.8, texel
     logic [3:0][24:0] coarse_line;  // U25.0, memory line
   } address_t;
-  localparam int unsigned AddressBeatWidth = 400;
+  localparam int unsigned AddressBeatWidth = 401;
 
   typedef struct packed {
     logic [15:0] tag;  // U16.0, lookup
-    logic [2:0] status;  // U3.0, bits
+    logic [3:0] status;  // U4.0, bits
     logic [3:0] probe;  // U4.0, probe
     logic first;  // U1.0, truth
     logic last;  // U1.0, truth
@@ -264,27 +265,27 @@ package feline_pkg;
     logic [3:0][11:0] coarse_01;  // U8.4, 1/255
     logic [3:0][11:0] coarse_11;  // U8.4, 1/255
   } fetch_t;
-  localparam int unsigned FetchBeatWidth = 459;
+  localparam int unsigned FetchBeatWidth = 460;
 
   typedef struct packed {
     logic [15:0] tag;  // U16.0, lookup
-    logic [2:0] status;  // U3.0, bits
+    logic [3:0] status;  // U4.0, bits
     logic [3:0] probe;  // U4.0, probe
     logic first;  // U1.0, truth
     logic last;  // U1.0, truth
     logic [8:0] weight;  // U1.8, pixel
     logic [3:0][35:0] colour;  // U8.28, 1/255
   } filter_t;
-  localparam int unsigned FilterBeatWidth = 178;
+  localparam int unsigned FilterBeatWidth = 179;
 
   typedef struct packed {
     logic [15:0] tag;  // U16.0, lookup
-    logic [2:0] status;  // U3.0, bits
+    logic [3:0] status;  // U4.0, bits
     logic [3:0][15:0] colour;  // U8.8, 1/255
   } accumulate_t;
-  localparam int unsigned AccumulateBeatWidth = 83;
+  localparam int unsigned AccumulateBeatWidth = 84;
 
-  localparam logic [63:0] Fingerprint = 64'hddc0ef42fa625fe5;
+  localparam logic [63:0] Fingerprint = 64'h6467cd462035a6ef;
 endpackage
 // verilator lint_on UNUSEDPARAM
 

@@ -16,7 +16,7 @@ Cosimulation::Cosimulation(const RtlFactory& factory, const Timing& timing)
   if (unit_->fingerprint() != fingerprint<kUnit>()) {
     throw std::runtime_error(
         fmt::format("stale build: the RTL's fingerprint is {:016x}, the model's is {:016x}; "
-                    "run feline_generate tables/generated and build again",
+                    "run ./testbench/generate and build again",
                     unit_->fingerprint(), fingerprint<kUnit>()));
   }
 }
@@ -109,6 +109,8 @@ bool Cosimulation::run(const Batch& batch, const PixelSink& sink) {
   // Longer than any legal wait: all probes of 8 misses each, with their latency and their stalls.
   const double patience = 2000.0 + kUnit.max_probes * 8 * (timing_.memory_latency + 20) * 8 / (1 - timing_.stalls);
   std::uint64_t last_progress = cycle_;
+  // A unit that takes so many lookups and gives no pixel has lost one.
+  constexpr std::uint64_t kMoreThanRegisters = 64;
 
   while (pixels < batch.lookups.size()) {
     wave_cycle();
@@ -167,9 +169,13 @@ bool Cosimulation::run(const Batch& batch, const PixelSink& sink) {
       }
       return false;
     }
-    if (static_cast<double>(cycle_ - last_progress) > patience) {
+    if (static_cast<double>(cycle_ - last_progress) > patience || inside_ > kMoreThanRegisters) {
       memory_reads_ += memory.requests();
-      return scoreboard_.finish(cycle_) && fail(Stage::kGroup, "the unit takes no request");
+      const auto on_pins = [&](Stage stage) { return unit_->beat(stage); };
+      if (!scoreboard_.blame_stopped(on_pins, batch.first_lookup + offered, last_progress)) {
+        fail(Stage::kGroup, "the unit takes no request");
+      }
+      return false;
     }
   }
   memory_reads_ += memory.requests();

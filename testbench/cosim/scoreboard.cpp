@@ -82,20 +82,42 @@ void Scoreboard::blame_plan(std::span<const std::uint32_t> offered, std::uint64_
                        ""};
 }
 
+// Records the stage's first owed beat, if there is one, as missing.
+bool Scoreboard::owed(std::size_t stage, std::uint64_t cycle) {
+  if (queues_[stage].empty()) return false;
+  const BeatQueue::Entry expected = queues_[stage].front();
+  mismatch_ = Mismatch{Mismatch::Kind::kMissing,
+                       static_cast<Stage>(stage),
+                       expected.lookup,
+                       expected.probe,
+                       cycle,
+                       {expected.words.begin(), expected.words.end()},
+                       {},
+                       ""};
+  return true;
+}
+
 bool Scoreboard::finish(std::uint64_t cycle) {
-  for (std::size_t index = 0; index < kStageCount && !mismatch_; ++index) {
-    if (queues_[index].empty()) continue;
-    const BeatQueue::Entry expected = queues_[index].front();
-    mismatch_ = Mismatch{Mismatch::Kind::kMissing,
-                         static_cast<Stage>(index),
-                         expected.lookup,
-                         expected.probe,
-                         cycle,
-                         {expected.words.begin(), expected.words.end()},
-                         {},
-                         ""};
-  }
+  for (std::size_t stage = 0; stage < kStageCount && !mismatch_; ++stage) owed(stage, cycle);
   return !mismatch_;
+}
+
+bool Scoreboard::blame_stopped(const std::function<std::span<const std::uint32_t>(Stage)>& offered,
+                               std::uint64_t entered, std::uint64_t cycle) {
+  for (std::size_t stage = kStageCount; stage-- > 0;) {
+    if (queues_[stage].empty()) continue;
+    const BeatQueue::Entry owes = queues_[stage].front();
+    bool has_input = owes.lookup < entered;
+    if (stage > 0 && !queues_[stage - 1].empty()) {
+      const BeatQueue::Entry next = queues_[stage - 1].front();
+      // accumulate needs all probes of its lookup: the last one is delivered when filter owes the next lookup.
+      const bool per_probe = static_cast<Stage>(stage) > Stage::kWalk && static_cast<Stage>(stage) < Stage::kAccumulate;
+      has_input = next.lookup > owes.lookup || (per_probe && next.lookup == owes.lookup && next.probe > owes.probe) ||
+                  std::ranges::equal(next.words, offered(static_cast<Stage>(stage - 1)));
+    }
+    if (has_input) return owed(stage, cycle);
+  }
+  return false;
 }
 
 std::uint64_t Scoreboard::nearest_lookup(Stage stage) const {

@@ -126,6 +126,7 @@ class VerilatedUnit : public RtlUnit {
 
   template <typename Beat, typename Port>
   std::span<const std::uint32_t> load(const Port& port) const {
+    static_assert(beat_words<Beat>() <= kMostWords);
     const std::span<std::uint32_t> words(words_.data(), static_cast<std::size_t>(beat_words<Beat>()));
     load_port(port, words);
     return words;
@@ -142,7 +143,8 @@ class VerilatedUnit : public RtlUnit {
   VerilatedContext context_;
   std::unique_ptr<Verilated> unit_;
   std::unique_ptr<std::conditional_t<std::is_void_v<Wave>, None, Wave>> wave_;
-  mutable std::array<std::uint32_t, 32> words_{};
+  static constexpr int kMostWords = 32;
+  mutable std::array<std::uint32_t, kMostWords> words_{};
 };
 
 }  // namespace feline

@@ -5,6 +5,7 @@
 
 #include "tables/emit.h"
 #include "testbench/atomic_file.h"
+#include "testbench/ellipse_choice.h"
 #include "testbench/error.h"
 #include "testbench/image.h"
 #include "testbench/program/commands.h"
@@ -57,8 +58,7 @@ std::vector<Judged> judge_representations() {
   for (const auto& [name, representation] : {std::pair{"centre", CellRepresentation::kCentre},
                                              {"least worst", CellRepresentation::kLeastWorst},
                                              {"least mean", CellRepresentation::kLeastMean}}) {
-    Rom rom = ellipse_rom(kDefaultConfig, representation);
-    all.push_back({name, judge_ellipse(kDefaultConfig, rom, kLattice)});
+    all.push_back({name, ellipse_errors(kDefaultConfig, ellipse_rom(kDefaultConfig, representation), kLattice)});
   }
   return all;
 }
@@ -85,10 +85,10 @@ int run_tables(const TablesOptions& options) {
                rom->worst_word, rom->error_unit);
   }
   fmt::print(
-      "\nHow an ellipse entry stands for its cell: errors over all cells, at most 16 probes.\n"
+      "\nHow an ellipse entry stands for its cell: errors over all cells, at most {} probes.\n"
       "{:<14}{:>24}{:>24}{:>26}\n{:<14}{:>12}{:>12}{:>12}{:>12}{:>13}{:>13}\n",
-      "", "level of detail, octaves", "major radius, relative", "line end, minor radii", "", "worst", "mean", "worst",
-      "mean", "worst", "mean");
+      kDefaultConfig.max_probes, "", "level of detail, octaves", "major radius, relative", "line end, minor radii", "",
+      "worst", "mean", "worst", "mean", "worst", "mean");
   for (const auto& [name, errors] : judge_representations()) {
     fmt::print("{:<14}{:>12.4f}{:>12.5f}{:>12.4f}{:>12.5f}{:>13.4f}{:>13.5f}\n", name, errors.worst_level,
                errors.mean_level, errors.worst_major, errors.mean_major, errors.worst_line, errors.mean_line);

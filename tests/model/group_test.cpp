@@ -104,6 +104,14 @@ TEST(group, unbounded_and_tiny_footprints) {
   const auto denormal = group_of({0, 0, 0x1p-130F, 0, 0, 0x1p-149F}, state);
   EXPECT_EQ(denormal.dudx.raw(), 0);
   EXPECT_EQ(denormal.status.raw(), 0);
+  // The coarsest exponent, and one unit in the last place more, which is said to overflow.
+  const auto greatest = group_of({0, 0, 0x1.fcp61F, 0, 0, 0}, state);
+  EXPECT_EQ(greatest.exponent.raw(), 63);
+  EXPECT_EQ(greatest.dudx.raw(), 127);
+  EXPECT_EQ(greatest.status.raw(), 0);
+  const auto overflow = group_of({0, 0, std::nextafter(0x1.fcp61F, 1e30F), 0, 0, 0}, state);
+  EXPECT_EQ(overflow.exponent.raw(), 63);
+  EXPECT_EQ(overflow.status.raw(), kOverflow);
   // The finest exponent: 64 * 2^-64 texels.
   const auto least = group_of({0, 0, 0x1p-66F, 0, 0, 0}, state);
   EXPECT_EQ(least.exponent.raw(), -64);
@@ -130,6 +138,15 @@ TEST(group, coordinates_saturate_wrap_and_round) {
   EXPECT_EQ(s(0x1p20F, repeat), -(kOne << 20));  // modulo 2^21
   EXPECT_EQ(s(-0x1p39F, repeat), 0);
   EXPECT_EQ(s(0x1.000002p20F, repeat), -(kOne << 20) + kOne / 8);
+  const auto status = [](float s, float t, const State& state) {
+    return group_of({s, t, 0, 0, 0, 0}, state).status.raw();
+  };
+  EXPECT_EQ(status(0x1p19F, 0, clamp), kOverflow);
+  EXPECT_EQ(status(0, -0x1p100F, clamp), kOverflow);
+  EXPECT_EQ(status(std::nextafter(0x1p19F, 0.0F), 0, clamp), 0);
+  EXPECT_EQ(status(0x1p100F, -0x1p100F, repeat), 0);
+  EXPECT_EQ(status(INFINITY, 0, clamp), kCoordinateNotFinite);
+  EXPECT_EQ(status(0x1p20F, NAN, clamp), kOverflow | kCoordinateNotFinite);
 }
 
 }  // namespace

@@ -17,11 +17,23 @@ SamplerOptions options_without_border(Random& random) {
   return options;
 }
 
-std::int64_t status_of(const Lookup& lookup) {
+bool saturates(float coordinate, std::int64_t wrap) {
+  const auto mode = static_cast<Wrap>(wrap);
+  const bool clamps = mode == Wrap::kClampToEdge || mode == Wrap::kClampToBorder;
+  return clamps && std::isfinite(coordinate) && std::abs(coordinate) >= 0x1p19F;
+}
+
+std::int64_t status_of(const Lookup& lookup, const State& state) {
   const bool coordinates = std::isfinite(lookup.s) && std::isfinite(lookup.t);
   const bool derivatives = std::isfinite(lookup.dsdx) && std::isfinite(lookup.dtdx) && std::isfinite(lookup.dsdy) &&
                            std::isfinite(lookup.dtdy);
-  return (coordinates ? 0 : kCoordinateNotFinite) | (derivatives ? 0 : kDerivativeNotFinite);
+  const double texels =
+      std::max({std::abs(lookup.dsdx * state.width.value()), std::abs(lookup.dsdy * state.width.value()),
+                std::abs(lookup.dtdx * state.height.value()), std::abs(lookup.dtdy * state.height.value())});
+  const bool overflow = saturates(lookup.s, state.wrap_s.raw()) || saturates(lookup.t, state.wrap_t.raw()) ||
+                        (derivatives && texels > 127 * 0x1p63);
+  return (coordinates ? 0 : kCoordinateNotFinite) | (derivatives ? 0 : kDerivativeNotFinite) |
+         (overflow ? kOverflow : 0);
 }
 
 // Every pair of float classes in every pair of operands; calls check(lookup).
@@ -85,9 +97,9 @@ void expect_bounds_and_status(const Lookup& lookup, const State& state, const Sc
   ASSERT_LE(seen.probes, state.max_probes.raw()) << where();
   ASSERT_EQ(seen.probes, seen.plan.probes.raw()) << where();
   ASSERT_EQ(seen.weights, 256) << where();
-  ASSERT_EQ(seen.pixel.status.raw(), status_of(lookup)) << where();
+  ASSERT_EQ(seen.pixel.status.raw(), status_of(lookup, state)) << where();
   ASSERT_EQ(seen.pixel.tag.raw(), tag) << where();
-  if ((status_of(lookup) & kDerivativeNotFinite) != 0) {
+  if ((status_of(lookup, state) & kDerivativeNotFinite) != 0) {
     ASSERT_EQ(seen.probes, 1) << where();
     ASSERT_EQ(seen.group.exponent.raw(), 63) << where();
   }

@@ -18,6 +18,8 @@ feline_fault(group coordinate_tie_goes_down feline_float_to_position
              "SignificandWidth'(halves[0])" "SignificandWidth'(halves[0])" "SignificandWidth'(0)")
 feline_fault(group saturation_one_octave_late feline_float_to_position
              "exponent >= SaturationExponent" "exponent >= SaturationExponent" "exponent > SaturationExponent")
+feline_fault(group overflow_unflagged feline_group_mantissas
+             "finite_i && exponent > MaxExponent" "finite_i" "1'b0")
 feline_fault(group not_a_number_unseen feline_float_to_position
              "fraction != '0;" "fraction != '0" "1'b0")
 
@@ -83,4 +85,15 @@ feline_fault(accumulate pixel_for_every_probe feline_accumulate
              "weighted_valid && weighted_q.last)" "weighted_valid && weighted_q.last" "weighted_valid")
 feline_fault(accumulate pixel_lost_when_stalled feline_accumulate
              "beat_ready || !weighted_q.last" "beat_ready || !weighted_q.last" "1'b1")
+# The unit stops, or goes on without giving: the stage that holds it up is named, however full everything before it is.
+feline_fault(group request_swallowed feline_group
+             ".valid_i(request_valid_i)" "request_valid_i" "1'b0")
+feline_fault(walk gives_nothing feline_walk ".valid_i(plan_valid_i), .ready_o(beat_ready)" "plan_valid_i" "1'b0")
+feline_fault(address stops feline_level_address
+             ".valid_o(texels_valid), .ready_i(texels_ready)" "texels_ready" "1'b0")
+feline_fault(fetch line_never_taken feline_blocking_cache
+             "memory_response_ready_o = state_q == Respond" "state_q == Respond" "1'b0")
+feline_fault(filter stops feline_filter ".valid_o(levels_valid), .ready_i(levels_ready)" "levels_ready" "1'b0")
+feline_fault(accumulate gives_no_pixel feline_accumulate ".valid_i(filter_valid_i)" "filter_valid_i" "1'b0")
+
 feline_fault(group never_busy feline_unit "inside_q != '0" "inside_q != '0" "1'b0")

@@ -94,7 +94,15 @@ Group group(const Request& request, const State& state) {
   set(beat.t, position_of(request.t.raw(), state.wrap_t.raw()));
   const std::array derivative{request.dsdx.raw(), request.dtdx.raw(), request.dsdy.raw(), request.dtdy.raw()};
   const bool bounded = std::all_of(derivative.begin(), derivative.end(), is_finite);
-  set(beat.status, (is_finite(request.s.raw()) && is_finite(request.t.raw()) ? 0 : 1) + (bounded ? 0 : 2));
+  // A clamp cannot tell coordinates from 2^19 on apart.
+  const auto saturates = [](std::int64_t bits, std::int64_t wrap) {
+    const Magnitude size = magnitude_of(bits);
+    if (!is_finite(bits) || wrap < 2 || size.significand == 0 || size.exponent < -24) return false;
+    return size.exponent >= 0 || size.significand / power(-size.exponent) >= power(19);
+  };
+  bool overflow = saturates(request.s.raw(), state.wrap_s.raw()) || saturates(request.t.raw(), state.wrap_t.raw());
+  const int not_finite = (is_finite(request.s.raw()) && is_finite(request.t.raw()) ? 0 : 1) + (bounded ? 0 : 2);
+  set(beat.status, not_finite + (overflow ? 8 : 0));
   if (!bounded) {
     set(beat.exponent, 63);
     set(beat.dudx, 127);
@@ -114,6 +122,8 @@ Group group(const Request& request, const State& state) {
     return std::all_of(texels.begin(), texels.end(), [&](const Magnitude& x) { return outward(x, unit) <= 127; });
   };
   while (!fits()) ++unit;
+  overflow = overflow || unit > 63;
+  set(beat.status, not_finite + (overflow ? 8 : 0));
   set(beat.exponent, std::clamp(unit, -64, 63));
   if (unit < -64) return beat;
   const auto signed_mantissa = [&](std::size_t i) {

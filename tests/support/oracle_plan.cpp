@@ -72,7 +72,10 @@ State sampler_state(const SamplerOptions& options, TexelFormat format, bool srgb
   set(state.level_bias, std::min<std::int64_t>(nearest(options.level_bias, 256), 8191));
   set(state.min_level, std::min<std::int64_t>(nearest(options.min_level, 256), 4095));
   set(state.max_level, std::min<std::int64_t>(nearest(options.max_level, 256), 4095));
-  for (std::size_t c = 0; c < 4; ++c) set(state.border[c], nearest(options.border[c], 255 * 16));
+  const std::array<double, 4> absent{0, 0, 0, 1};
+  const std::size_t present = format == TexelFormat::kR8 ? 1 : format == TexelFormat::kRg8 ? 2 : 4;
+  for (std::size_t c = 0; c < 4; ++c)
+    set(state.border[c], nearest(c < present ? options.border[c] : absent[c], 255 * 16));
   for (std::size_t k = 0; k < bases.size(); ++k) set(state.level_base[k], bases[k]);
   return state;
 }

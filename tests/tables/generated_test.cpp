@@ -22,7 +22,7 @@ TEST(generated, files_equal_a_fresh_run) {
     std::stringstream held;
     held << in.rdbuf();
     EXPECT_TRUE(in.good() && held.str() == file.text)
-        << "tables/generated/" << file.name << " is stale; run: build/feline_generate tables/generated";
+        << "tables/generated/" << file.name << " is stale; run: ./testbench/generate";
   }
   for (const auto& entry : std::filesystem::directory_iterator(kDirectory)) {
     EXPECT_TRUE(names.contains(entry.path().filename().string()))

@@ -1,0 +1,60 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Other configurations: RTL and model compared in each, made by the README's recipe in a copy of the tree.
+# usage: tests/configurations.sh [NAME|SEED...]   without arguments: least, most, bare and front; a number is the seed
+#                                                 of a random configuration
+set -euo pipefail
+cd "$(dirname "$0")/.."
+root=$PWD
+
+# Every field with its legal range, from tables/config.h.
+ranges() { sed -n 's/^  int \([a-z0-9_]*\) = .*; *\/\/ \([a-z0-9_]*\) \.\. \([0-9]*\)[:,].*/\1 \2 \3/p' tables/config.h; }
+features() { sed -n 's/^  bool \([a-z_]*\) = true;.*/\1/p' tables/config.h; }
+
+# NAME=VALUE of each field that differs from the default.
+fields_of() {
+  case $1 in
+    least) ranges | awk '{ print $1 "=" ($2 == "channel_fraction_bits" ? 2 : $2) }' ;;
+    most) ranges | awk '{ print $1 "=" $3 }' ;;
+    # Nothing but nearest, bilinear and trilinear; and everything before the texels only.
+    bare) features | sed 's/$/=false/' ;;
+    front) printf '%s\n' gaussian=false srgb=false mirrored_repeat=false clamp_to_border=false table_rows=7 \
+      table_columns=6 max_probes=11 mantissa_bits=7 ;;
+    *[!0-9]*) echo "configurations.sh: no configuration $1: legal is least, most, bare, front or a seed" >&2; exit 2 ;;
+    *)
+      ranges | awk -v seed="$1" 'BEGIN { srand(seed) } {
+        low = $2 == "channel_fraction_bits" ? channel : $2
+        value = low + int(rand() * ($3 - low + 1))
+        if ($1 == "table_columns") value -= value % 2
+        if ($1 == "channel_fraction_bits") channel = value
+        print $1 "=" value }'
+      features | awk -v seed="$1" 'BEGIN { srand(seed + 1000) } { print $1 "=" (rand() < 0.5 ? "false" : "true") }'
+      ;;
+  esac
+}
+
+check() {
+  local name=$1 copy=$root/build-configurations/$1 field fields
+  fields=$(fields_of "$name")
+  mkdir -p "$copy"
+  rm -rf "$copy"/{model,rtl,tables,testbench,tests}
+  cp -r CMakeLists.txt model rtl tables testbench tests "$copy"
+  for field in $fields; do
+    sed -i -E "s/^  (int|bool) ${field%=*} = [a-z0-9]+;/  \1 ${field%=*} = ${field#*=};/" "$copy/tables/config.h"
+    grep -q "^  [a-z]* ${field%=*} = ${field#*=};" "$copy/tables/config.h"
+  done
+  printf '%s: %s\n' "$name" "$(tr '\n' ' ' <<<"$fields")"
+  (
+    cd "$copy"
+    ./testbench/generate
+    local rtl
+    rtl="tables/generated/feline_pkg.sv $(echo tables/generated/feline_rom_*.sv) $(echo rtl/*.sv)"
+    yosys -q -p "read_verilog -sv -noautowire $rtl; hierarchy -check -top feline_unit; proc; check -assert"
+    ./testbench/run --random 200000 --stalls 0.1 --memory-latency 3 --no-wave --output . | tail -n 2 | head -n 1
+    ./testbench/run --scene all --mode all --kernel all --wrap all --size 24 --stalls 0.1 --memory-latency 3 --no-wave \
+      --output . | grep '^RTL'
+  )
+}
+
+[[ $# -gt 0 ]] || set -- least most bare front
+for name in "$@"; do check "$name"; done
