@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/sampler.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,17 +11,10 @@
 namespace feline {
 namespace {
 
-std::string text(double value) {
-  std::string digits = std::to_string(value);
-  while (digits.ends_with('0')) digits.pop_back();
-  if (digits.ends_with('.')) digits.pop_back();
-  return digits;
-}
-
 double checked(std::string_view field, double value, double low, double high) {
   // Written so that NaN fails.
   if (value >= low && value <= high) return value;
-  throw SamplerError(std::string(field), text(value), text(low) + " to " + text(high));
+  throw SamplerError(std::string(field), fmt::format("{}", value), fmt::format("{} to {}", low, high));
 }
 
 template <Format kFormat>
@@ -101,23 +96,23 @@ SamplerState<kConfig> make_sampler(const SamplerOptions& options, const Texture&
 
   const ProbeParameters& probes = options.probes;
   const double factor_step = 1.0 / static_cast<double>(F::kFactor.one());
-  const double length = checked("lengthFactor", probes.length_factor, factor_step, 1);
-  const double blur = checked("blurFactor", probes.blur_factor, 1, 2 - factor_step);
-  const double alias = checked("aliasFactor", probes.alias_factor, 1, 2);
+  const double length = checked("length_factor", probes.length_factor, factor_step, 1);
+  const double blur = checked("blur_factor", probes.blur_factor, 1, 2 - factor_step);
+  const double alias = checked("alias_factor", probes.alias_factor, 1, 2);
   state.probe_rounding = state.probe_rounding.from_raw(static_cast<std::int64_t>(probes.rounding));
   state.max_probes = state.max_probes.from_raw(
-      static_cast<std::int64_t>(checked("maxProbes", options.max_probes, 1, kConfig.max_probes)));
+      static_cast<std::int64_t>(checked("max_probes", options.max_probes, 1, kConfig.max_probes)));
   state.length_factor = quantized<F::kFactor>(length);
   state.blur_factor = quantized<F::kFactor>(blur);
   state.inverse_alias_factor = quantized<F::kFactor>(1 / alias);
   state.probe_factor = quantized<F::kFactor>(1 / (blur * alias));
 
   const double level_step = 1.0 / static_cast<double>(std::int64_t{1} << kConfig.level_fraction_bits);
-  state.level_bias = quantized<F::kLevelOfDetail>(checked("level bias", options.level_bias, -16, 16 - level_step));
+  state.level_bias = quantized<F::kLevelOfDetail>(checked("level_bias", options.level_bias, -16, 16 - level_step));
   const double max_level =
-      checked("max level", options.max_level, 0, F::kSampledLevel.value(F::kSampledLevel.max_raw()));
+      checked("max_level", options.max_level, 0, F::kSampledLevel.value(F::kSampledLevel.max_raw()));
   state.max_level = quantized<F::kSampledLevel>(max_level);
-  state.min_level = quantized<F::kSampledLevel>(checked("min level", options.min_level, 0, max_level));
+  state.min_level = quantized<F::kSampledLevel>(checked("min_level", options.min_level, 0, max_level));
   const auto channels = static_cast<std::size_t>(bytes_per_texel(texture.format));
   for (std::size_t c = 0; c < 4; ++c) {
     const double border = checked("border", options.border[c], 0, 1);

@@ -4,7 +4,8 @@
 // Takes  requests, in order; the sampler state, which is held still while busy_o; memory lines.
 // Gives  one pixel a request, in order; beside it every stage's boundary for whoever watches: bit k of taken_o says
 //        that stage k's beat is transferred in this cycle. The fingerprint of configuration, formats and beats.
-// Edges  back-pressure anywhere, at any cycle. flush_i, only while not busy_o, forgets the texture's lines.
+// Edges  back-pressure anywhere, at any cycle. flush_i, only while not busy_o, forgets the texture's lines. rst_i, at any
+//        cycle, forgets every lookup inside; the memory forgets what was asked of it in the same cycle.
 // Timing one probe a cycle while its lines are in the cache. accumulate_ready_i does not reach request_ready_o within
 //        the cycle.
 // Source WRL 99/1, 3 (Feline); CS248A lecture 4 (texture unit).

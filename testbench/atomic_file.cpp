@@ -96,28 +96,80 @@ AtomicFile::~AtomicFile() {
   if (!committed_) fs::remove(temporary_, ignored);
 }
 
-void AtomicFile::commit() {
+void AtomicFile::flush() {
   Descriptor file(temporary_, O_WRONLY, named_);
   file.flush();
   file.close();
+}
+
+void AtomicFile::rename() {
   std::error_code error;
   fs::rename(temporary_, target_, error);
   if (error) fail(named_, "rename", error.value());
   committed_ = true;
 }
 
-void write_file_atomically(const fs::path& target, std::span<const std::byte> bytes) {
-  if (is_special(target)) {
-    Descriptor device(target, O_WRONLY, target);
-    device.write(bytes);
-    device.close();
-    return;
+void AtomicFile::commit() {
+  flush();
+  rename();
+}
+
+// The temporary beside the target, or nothing for a device; what is written goes through a buffer.
+struct OutputFiles::File::Parts {
+  explicit Parts(const fs::path& target)
+      : temporary(is_special(target) ? nullptr : std::make_unique<AtomicFile>(target)),
+        out(temporary ? temporary->temporary() : target, O_WRONLY, target) {}
+
+  std::unique_ptr<AtomicFile> temporary;
+  Descriptor out;
+  std::vector<std::byte> buffer;
+};
+
+OutputFiles::File::File(const fs::path& target) : parts_(std::make_unique<Parts>(target)) {}
+OutputFiles::File::~File() = default;
+
+void OutputFiles::File::append(std::span<const std::byte> bytes) {
+  constexpr std::size_t kBlock = 1 << 20;
+  parts_->buffer.insert(parts_->buffer.end(), bytes.begin(), bytes.end());
+  if (parts_->buffer.size() < kBlock) return;
+  parts_->out.write(parts_->buffer);
+  parts_->buffer.clear();
+}
+
+void OutputFiles::File::close() {
+  parts_->out.write(parts_->buffer);
+  parts_->buffer.clear();
+  parts_->out.close();
+}
+
+OutputFiles::File& OutputFiles::add(const fs::path& target) {
+  files_.push_back(std::unique_ptr<File>(new File(target)));
+  return *files_.back();
+}
+
+void OutputFiles::commit() {
+  for (const auto& file : files_) file->close();
+  for (const auto& file : files_) {
+    if (file->parts_->temporary) file->parts_->temporary->flush();
   }
-  AtomicFile file(target);
-  Descriptor out(file.temporary(), O_WRONLY, target);
-  out.write(bytes);
-  out.close();
-  file.commit();
+  for (const auto& file : files_) {
+    if (file->parts_->temporary) file->parts_->temporary->rename();
+  }
+  files_.clear();
+}
+
+void check_writable(const fs::path& target) {
+  if (is_special(target)) {
+    Descriptor(target, O_WRONLY, target).close();
+  } else {
+    const AtomicFile probe(target);
+  }
+}
+
+void write_file_atomically(const fs::path& target, std::span<const std::byte> bytes) {
+  OutputFiles one;
+  one.add(target).append(bytes);
+  one.commit();
 }
 
 void write_file_atomically(const fs::path& target, std::string_view text) {

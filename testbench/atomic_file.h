@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace feline {
 
@@ -33,15 +35,48 @@ class AtomicFile {
   void commit();
 
  private:
+  friend class OutputFiles;
+  void flush();
+  void rename();
+
   std::filesystem::path named_;   // as the user wrote it, for messages
   std::filesystem::path target_;  // symbolic links resolved
   std::filesystem::path temporary_;
   bool committed_ = false;
 };
 
-// Writes bytes to target, whole or not at all. A device or a pipe (/dev/full, /dev/stdout) is
-// written in place, because renaming over it would replace it. Throws InputError naming the
-// file and the system's reason: missing or unwritable directory, disk full, file too large.
+// Several outputs that belong together: all of them are on the disk before the first takes its name,
+// and none does if one fails. A device or a pipe (/dev/full, /dev/stdout) is written in place,
+// because renaming over it would replace it. Everything throws InputError naming the file and the
+// system's reason: missing or unwritable directory, disk full, file too large.
+class OutputFiles {
+ public:
+  class File {
+   public:
+    ~File();
+    void append(std::span<const std::byte> bytes);
+    void append(std::string_view text) { append(std::as_bytes(std::span(text.data(), text.size()))); }
+
+   private:
+    friend class OutputFiles;
+    struct Parts;
+    explicit File(const std::filesystem::path& target);
+    void close();
+    std::unique_ptr<Parts> parts_;
+  };
+
+  // One more output, empty so far; valid as long as this.
+  File& add(const std::filesystem::path& target);
+  void commit();
+
+ private:
+  std::vector<std::unique_ptr<File>> files_;
+};
+
+// Fails as an output would, before the work whose result it is.
+void check_writable(const std::filesystem::path& target);
+
+// One output of its own.
 void write_file_atomically(const std::filesystem::path& target, std::span<const std::byte> bytes);
 void write_file_atomically(const std::filesystem::path& target, std::string_view text);
 

@@ -85,6 +85,12 @@ GBuffer read_gbuffer(const std::filesystem::path& path, const GBufferOptions& op
 }
 
 void write_gbuffer(const std::filesystem::path& path, const GBuffer& gbuffer) {
+  OutputFiles one;
+  write_gbuffer(one, path, gbuffer);
+  one.commit();
+}
+
+void write_gbuffer(OutputFiles& outputs, const std::filesystem::path& path, const GBuffer& gbuffer) {
   static_assert(sizeof(Lookup) == kChannels.size() * sizeof(float), "Lookup is a packed pixel");
   if (gbuffer.width < 1 || gbuffer.height < 1 ||
       gbuffer.lookups.size() != static_cast<std::size_t>(gbuffer.width) * static_cast<std::size_t>(gbuffer.height)) {
@@ -94,7 +100,7 @@ void write_gbuffer(const std::filesystem::path& path, const GBuffer& gbuffer) {
   std::ranges::transform(kChannels, spec.channelnames.begin(), &Channel::name);
   spec.attribute("compression", "zip");
   spec.attribute("DateTime", "");  // otherwise the time of writing
-  write_file_atomically(path, encode_image(path, "exr", spec, gbuffer.lookups.data()));
+  outputs.add(path).append(encode_image(path, "exr", spec, gbuffer.lookups.data()));
 }
 
 }  // namespace feline

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/lookup.h"
+#include "testbench/atomic_file.h"
 
 namespace feline {
 
@@ -31,5 +32,7 @@ GBuffer read_gbuffer(const std::filesystem::path& path, const GBufferOptions& op
 // Throws InputError when the file cannot be written, std::invalid_argument when the lookups do not
 // fill the size.
 void write_gbuffer(const std::filesystem::path& path, const GBuffer& gbuffer);
+// The same as one of several outputs.
+void write_gbuffer(OutputFiles& outputs, const std::filesystem::path& path, const GBuffer& gbuffer);
 
 }  // namespace feline

@@ -69,8 +69,8 @@ MipLevel convert(const MipLevel& from, int from_channels, int to_channels) {
 }
 
 template <typename Value>
-void write_png_as(const std::filesystem::path& path, int width, int height, int channels, std::span<const Value> pixels,
-                  OIIO::TypeDesc type) {
+std::vector<std::byte> encode_png(const std::filesystem::path& path, int width, int height, int channels,
+                                  std::span<const Value> pixels, OIIO::TypeDesc type) {
   if (width < 1 || height < 1 || channels < 1 || channels > 4 ||
       pixels.size() !=
           static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(channels)) {
@@ -79,7 +79,7 @@ void write_png_as(const std::filesystem::path& path, int width, int height, int 
   OIIO::ImageSpec spec(width, height, channels, type);
   spec.attribute("oiio:UnassociatedAlpha", 1);
   spec.attribute("oiio:ColorSpace", "sRGB");
-  write_file_atomically(path, encode_image(path, "png", spec, pixels.data()));
+  return encode_image(path, "png", spec, pixels.data());
 }
 
 }  // namespace
@@ -102,12 +102,17 @@ Texture load_texture(const std::filesystem::path& path, const ImageOptions& opti
 
 void write_png(const std::filesystem::path& path, int width, int height, int channels,
                std::span<const std::uint8_t> pixels) {
-  write_png_as(path, width, height, channels, pixels, OIIO::TypeDesc::UINT8);
+  write_file_atomically(path, encode_png(path, width, height, channels, pixels, OIIO::TypeDesc::UINT8));
 }
 
 void write_png(const std::filesystem::path& path, int width, int height, int channels,
                std::span<const std::uint16_t> pixels) {
-  write_png_as(path, width, height, channels, pixels, OIIO::TypeDesc::UINT16);
+  write_file_atomically(path, encode_png(path, width, height, channels, pixels, OIIO::TypeDesc::UINT16));
+}
+
+void write_png(OutputFiles& outputs, const std::filesystem::path& path, int width, int height, int channels,
+               std::span<const std::uint8_t> pixels) {
+  outputs.add(path).append(encode_png(path, width, height, channels, pixels, OIIO::TypeDesc::UINT8));
 }
 
 }  // namespace feline

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "model/texture.h"
+#include "testbench/atomic_file.h"
 #include "testbench/mip_chain.h"
 
 namespace feline {
@@ -42,5 +43,8 @@ void write_png(const std::filesystem::path& path, int width, int height, int cha
                std::span<const std::uint8_t> pixels);
 void write_png(const std::filesystem::path& path, int width, int height, int channels,
                std::span<const std::uint16_t> pixels);
+// The same as one of several outputs.
+void write_png(OutputFiles& outputs, const std::filesystem::path& path, int width, int height, int channels,
+               std::span<const std::uint8_t> pixels);
 
 }  // namespace feline

@@ -49,18 +49,18 @@ std::uint8_t srgb_code(std::int64_t linear) {
 }
 
 template <typename ColourOf>
-void write_map(const std::filesystem::path& path, const Picture& picture, ColourOf colour_of) {
+void write_map(OutputFiles& outputs, const std::filesystem::path& path, const Picture& picture, ColourOf colour_of) {
   std::vector<std::uint8_t> bytes;
   bytes.reserve(picture.plans.size() * 3);
   for (const auto& plan : picture.plans) {
     for (const int channel : colour_of(plan)) bytes.push_back(static_cast<std::uint8_t>(channel));
   }
-  write_png(path, picture.width, picture.height, 3, std::span<const std::uint8_t>(bytes));
+  write_png(outputs, path, picture.width, picture.height, 3, std::span<const std::uint8_t>(bytes));
 }
 
 }  // namespace
 
-void write_picture(const std::filesystem::path& path, const Picture& picture) {
+void write_picture(OutputFiles& outputs, const std::filesystem::path& path, const Picture& picture) {
   std::vector<std::uint8_t> bytes;
   bytes.reserve(picture.pixels.size() * 4);
   for (const auto& pixel : picture.pixels) {
@@ -70,14 +70,14 @@ void write_picture(const std::filesystem::path& path, const Picture& picture) {
                                             : static_cast<std::uint8_t>(round_up_ties(raw, F::kPixel.fraction_bits)));
     }
   }
-  write_png(path, picture.width, picture.height, 4, std::span<const std::uint8_t>(bytes));
+  write_png(outputs, path, picture.width, picture.height, 4, std::span<const std::uint8_t>(bytes));
 }
 
-void write_probe_map(const std::filesystem::path& path, const Picture& picture) {
+void write_probe_map(OutputFiles& outputs, const std::filesystem::path& path, const Picture& picture) {
   constexpr std::array<Anchor, 5> kAnchors{Anchor{0, {255, 255, 255}}, Anchor{256, {120, 190, 255}},
                                            Anchor{512, {20, 40, 160}}, Anchor{768, {0, 255, 0}},
                                            Anchor{1024, {255, 0, 0}}};
-  write_map(path, picture, [&](const PlanBeat<kDefaultConfig>& plan) {
+  write_map(outputs, path, picture, [&](const PlanBeat<kDefaultConfig>& plan) {
     // log2 of the count, piecewise linear between powers of two.
     const int probes = static_cast<int>(plan.probes.raw());
     const int top = bit_length(probes) - 1;
@@ -85,7 +85,7 @@ void write_probe_map(const std::filesystem::path& path, const Picture& picture) 
   });
 }
 
-void write_level_map(const std::filesystem::path& path, const Picture& picture, int last_level) {
+void write_level_map(OutputFiles& outputs, const std::filesystem::path& path, const Picture& picture, int last_level) {
   const int span = std::max(last_level, 1) * static_cast<int>(F::kSampledLevel.one());
   const std::array<Anchor, 6> anchors{Anchor{0, {220, 40, 40}},
                                       Anchor{span / 5, {240, 170, 30}},
@@ -93,7 +93,7 @@ void write_level_map(const std::filesystem::path& path, const Picture& picture, 
                                       Anchor{span * 3 / 5, {60, 180, 75}},
                                       Anchor{span * 4 / 5, {40, 110, 220}},
                                       Anchor{span, {130, 40, 180}}};
-  write_map(path, picture, [&](const PlanBeat<kDefaultConfig>& plan) {
+  write_map(outputs, path, picture, [&](const PlanBeat<kDefaultConfig>& plan) {
     return ramp(anchors, static_cast<int>(plan.level_of_detail.raw()));
   });
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "model/unit.h"
+#include "testbench/atomic_file.h"
 
 namespace feline {
 
@@ -19,10 +20,10 @@ struct Picture {
 };
 
 // 8 bit RGBA PNG: channels rounded to nearest; sRGB by the nearest code in linear light.
-void write_picture(const std::filesystem::path& path, const Picture& picture);
+void write_picture(OutputFiles& outputs, const std::filesystem::path& path, const Picture& picture);
 // Probes a pixel: 1 white, 2 light blue, 4 dark blue, 8 green, 16 red, blended between (Feline figures 33, 34).
-void write_probe_map(const std::filesystem::path& path, const Picture& picture);
+void write_probe_map(OutputFiles& outputs, const std::filesystem::path& path, const Picture& picture);
 // Level of detail: hues from red, level 0, to violet, the last level.
-void write_level_map(const std::filesystem::path& path, const Picture& picture, int last_level);
+void write_level_map(OutputFiles& outputs, const std::filesystem::path& path, const Picture& picture, int last_level);
 
 }  // namespace feline

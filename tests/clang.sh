@@ -11,5 +11,5 @@ for library in fast trace faulty; do
 done
 find tables model testbench tests -name '*.cpp' -print0 |
   xargs -0 -n 4 -P 2 clang++ -fsyntax-only -std=c++20 -Wall -Wextra -Wconversion -Werror "${includes[@]}" \
-    -DFELINE_SOURCE_DIR='""' -DFELINE_PROGRAM='""'
+    -DFELINE_SOURCE_DIR='""' -DFELINE_PROGRAM='""' -DFELINE_BROKEN='""'
 echo "clang++: clean"

@@ -25,7 +25,13 @@ for pid in "${pids[@]}"; do wait "$pid"; done
 step "the netlist in Icarus"
 tests/rtl/netlist.sh build/netlist
 
-step "clang++"
+step "other configurations"
+tests/configurations.sh
+
+step "clang++ and clang-tidy"
 tests/clang.sh build
+
+step "sanitizers"
+tests/sanitize.sh "$regex"
 
 printf '\nall: %d s\n' "$SECONDS"

@@ -8,7 +8,8 @@ function(feline_tests room)
   add_executable(${room}_test ${sources} ${TESTS_SUPPORT})
   target_compile_options(${room}_test PRIVATE ${FELINE_WARNINGS} -O1)
   target_compile_definitions(${room}_test PRIVATE FELINE_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
-                                                  FELINE_PROGRAM="$<TARGET_FILE:feline>")
+                                                  FELINE_PROGRAM="$<TARGET_FILE:feline>"
+                                                  FELINE_BROKEN="$<TARGET_FILE:feline_broken>")
   target_link_libraries(${room}_test PRIVATE ${ARGN} GTest::gtest GTest::gtest_main mpfr gmpxx gmp)
   gtest_discover_tests(${room}_test TEST_PREFIX ${room}. TEST_FILTER "-*_long.*" NO_PRETTY_VALUES
                        DISCOVERY_MODE PRE_TEST)
@@ -19,11 +20,11 @@ endfunction()
 # Twenty configurations, each once: the optimizer would take a minute and gigabytes over them.
 set_source_files_properties(tests/tables/generated_test.cpp PROPERTIES COMPILE_OPTIONS -O0)
 
+include(tests/rtl/faults.cmake)
 file(GLOB TESTS_SUPPORT CONFIGURE_DEPENDS tests/support/*.cpp)
 feline_tests(tables feline_tables)
 feline_tests(model feline_model)
 feline_tests(testbench feline_bench)
 add_dependencies(testbench_test feline)
-
-include(tests/rtl/faults.cmake)
 feline_tests(rtl feline_bench feline_faulty)
+add_dependencies(rtl_test feline feline_broken)

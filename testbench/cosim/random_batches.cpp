@@ -126,6 +126,7 @@ T pick(Random& random, const std::vector<T>& from) {
 }
 
 SamplerOptions random_sampler(Random& random, const RandomBatches::Choices& choices) {
+  constexpr double kFactorStep = 1.0 / static_cast<double>(Formats<kUnit>::kFactor.one());
   SamplerOptions options;
   options.mode = pick(random, choices.modes);
   options.kernel = pick(random, choices.kernels);
@@ -137,7 +138,7 @@ SamplerOptions random_sampler(Random& random, const RandomBatches::Choices& choi
     case 1: options.probes = kHighEfficiency; break;
     case 2:
       options.probes = {static_cast<ProbeRounding>(random.below(2)), 0.0625 + 0.9375 * random.unit(),
-                        1 + 0.99 * random.unit(), 1 + random.unit()};
+                        1 + (1 - kFactorStep) * random.unit(), 1 + random.unit()};
       break;
     case 3: options.probes.rounding = ProbeRounding::kCeiling; break;
     default: break;

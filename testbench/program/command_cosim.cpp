@@ -3,6 +3,8 @@
 
 #include <atomic>
 #include <charconv>
+#include <limits>
+#include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -11,6 +13,7 @@
 #include "testbench/cosim/job.h"
 #include "testbench/cosim/random_batches.h"
 #include "testbench/error.h"
+#include "testbench/program/command_line.h"
 #include "testbench/program/commands.h"
 #include "testbench/program/cosim_summary.h"
 #include "testbench/program/subject.h"
@@ -29,6 +32,7 @@ struct CosimOptions {
   std::string replay;
   std::string output;
   std::string wave = "feline-mismatch.fst";
+  const CLI::Option* wave_option = nullptr;
   bool no_wave = false;
   bool json = false;
   unsigned jobs = 0;
@@ -101,6 +105,10 @@ PreparedJob random_job(const CosimOptions& options) {
   return prepared;
 }
 
+std::string run_name(const CosimJob& job) {
+  return fmt::format("{}-{}-{}-{}", job.scene, job.mode, job.kernel, job.wrap);
+}
+
 Picture to_picture(const PreparedJob& prepared, CosimResult& result) {
   // The pixels are the RTL's own; the plans are the model's, which co-simulation has compared.
   Picture picture = render_model(prepared.subject->gbuffer, prepared.sampler, prepared.subject->memory);
@@ -111,21 +119,33 @@ Picture to_picture(const PreparedJob& prepared, CosimResult& result) {
 void write_outputs(const CosimOptions& options, const std::vector<PreparedJob>& jobs, std::vector<CosimResult>& results,
                    const CosimSummary& summary) {
   const std::filesystem::path directory = options.output;
-  // Standard output is the JSON's alone.
-  std::FILE* const told = options.json ? stderr : stdout;
+  OutputFiles outputs;
+  std::string written;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     if (!jobs[i].subject || results[i].mismatches != 0 || !options.replay.empty()) continue;
     const CosimJob& job = jobs[i].job;
-    const std::string scene = std::filesystem::path(job.scene).stem().string();
-    const std::string stem = fmt::format("{}-{}-{}-{}", scene, job.mode, job.kernel, job.wrap);
+    const std::string stem = run_name(job);
     const Picture picture = to_picture(jobs[i], results[i]);
-    write_picture(directory / (stem + ".png"), picture);
-    write_probe_map(directory / (stem + "-probes.png"), picture);
-    fmt::print(told, "{}\n{}\n", (directory / (stem + ".png")).string(), (directory / (stem + "-probes.png")).string());
+    const std::filesystem::path colours = directory / (stem + ".png");
+    const std::filesystem::path probes = directory / (stem + "-probes.png");
+    write_picture(outputs, colours, picture);
+    write_probe_map(outputs, probes, picture);
+    written += colours.string() + "\n" + probes.string() + "\n";
   }
-  write_file_atomically(directory / "summary.txt", to_text(summary));
-  write_file_atomically(directory / "summary.json", to_json(summary).dump(1) + "\n");
-  fmt::print(told, "{}\n", (directory / "summary.json").string());
+  outputs.add(directory / "summary.txt").append(to_text(summary));
+  outputs.add(directory / "summary.json").append(to_json(summary).dump(1) + "\n");
+  outputs.commit();
+  // Standard output is the JSON's alone.
+  fmt::print(options.json ? stderr : stdout, "{}{}\n", written, (directory / "summary.json").string());
+}
+
+// The scenes of a command line; one without a name is the default scene, or no scene at all.
+std::vector<std::string> scene_list(const std::string& text) {
+  if (text.empty()) return {""};
+  if (text != "all") return split_list("--scene", text);
+  std::vector<std::string> names;
+  for (const Scene& scene : scenes()) names.emplace_back(scene.name);
+  return names;
 }
 
 std::vector<PreparedJob> prepare_jobs(const CosimOptions& options) {
@@ -134,15 +154,12 @@ std::vector<PreparedJob> prepare_jobs(const CosimOptions& options) {
     options.subject.check_random();
     return {random_job(options)};
   }
-  std::vector<std::string> names = split_list(options.scenes);
-  if (options.scenes == "all") {
-    names.clear();
-    for (const Scene& scene : scenes()) names.emplace_back(scene.name);
-  }
   std::vector<PreparedJob> jobs;
-  for (const std::string& name : names) {
-    const auto subject = std::make_shared<const Subject>(options.subject.load(name));
+  for (const std::string& name : scene_list(options.scenes)) {
+    std::map<MipEdge, std::shared_ptr<const Subject>> subjects;
     for (const SamplerOptions& choice : options.sampler.combinations()) {
+      auto& subject = subjects[mip_edge(choice)];
+      if (!subject) subject = std::make_shared<const Subject>(options.subject.load(name, mip_edge(choice)));
       std::string command = options.command_line;
       if (!name.empty()) command += fmt::format(" --scene {}", name);
       command += fmt::format(" --mode {} --kernel {} --wrap {}", kModeNames[static_cast<std::size_t>(choice.mode)],
@@ -152,6 +169,13 @@ std::vector<PreparedJob> prepare_jobs(const CosimOptions& options) {
     }
   }
   return jobs;
+}
+
+// Runs side by side must not write the same waveform.
+std::filesystem::path wave_of(const CosimOptions& options, const CosimJob& job, bool alone) {
+  const std::filesystem::path wave = options.wave;
+  if (alone) return wave;
+  return wave.parent_path() / fmt::format("{}-{}{}", wave.stem().string(), run_name(job), wave.extension().string());
 }
 
 std::vector<CosimResult> run_all(const CosimOptions& options, const std::vector<PreparedJob>& jobs) {
@@ -167,7 +191,7 @@ std::vector<CosimResult> run_all(const CosimOptions& options, const std::vector<
     for (std::size_t i = next++; i < jobs.size(); i = next++) {
       try {
         FollowUp follow_up;
-        if (!options.no_wave) follow_up = {make_trace_unit, options.wave};
+        if (!options.no_wave) follow_up = {make_trace_unit, wave_of(options, jobs[i].job, jobs.size() == 1)};
         results[i] = run_job(jobs[i].job, make_fast_unit, follow_up, replay, !options.output.empty(), &progress);
       } catch (...) {
         const std::scoped_lock lock(mutex);
@@ -185,15 +209,13 @@ std::vector<CosimResult> run_all(const CosimOptions& options, const std::vector<
 
 int run_cosim(const CosimOptions& options) {
   const auto start = std::chrono::steady_clock::now();
-  if (options.timing.memory_latency < 1 || options.timing.memory_latency > 100000) {
-    bad_input("command line", "--memory-latency", std::to_string(options.timing.memory_latency), "1 to 100000 cycles");
+  if (!options.output.empty()) {
+    if (!std::filesystem::is_directory(options.output)) {
+      bad_input(options.output, "--output", "no directory", "a directory that exists");
+    }
+    check_writable(std::filesystem::path(options.output) / "summary.json");
   }
-  if (!(options.timing.stalls >= 0 && options.timing.stalls <= 0.95)) {
-    bad_input("command line", "--stalls", fmt::format("{}", options.timing.stalls), "0 to 0.95");
-  }
-  if (!options.output.empty() && !std::filesystem::is_directory(options.output)) {
-    bad_input(options.output, "--output", "no directory", "a directory that exists");
-  }
+  if (options.wave_option->count() != 0) check_writable(options.wave);
   const auto jobs = prepare_jobs(options);
   auto results = run_all(options, jobs);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -205,68 +227,50 @@ int run_cosim(const CosimOptions& options) {
   return summary.holds() ? kHolds : kBroken;
 }
 
-std::string quoted(const std::string& argument) {
-  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./,:=+-";
-  if (!argument.empty() && argument.find_first_not_of(kPlain) == std::string::npos) return argument;
-  std::string safe = "'";
-  for (const char c : argument) safe += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return safe + "'";
-}
-
 // The command line again, without what a replay chooses anew.
-std::string repeat_command(const std::vector<std::string>& arguments) {
+std::string replayable(const std::vector<std::string>& arguments) {
   constexpr std::array<std::string_view, 3> kAlways{"--replay", "--output", "--scene"};
-  constexpr std::array<std::string_view, 3> kOfScenes{"--mode", "--kernel", "--wrap"};
+  constexpr std::array<std::string_view, 6> kOfScenes{"--replay", "--output", "--scene",
+                                                      "--mode",   "--kernel", "--wrap"};
   const bool random = std::ranges::any_of(arguments, [](const auto& a) { return a.starts_with("--random"); });
-  const auto chosen = [&](std::string_view name) {
-    return std::ranges::find(kAlways, name) != kAlways.end() ||
-           (!random && std::ranges::find(kOfScenes, name) != kOfScenes.end());
-  };
-  std::string command;
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const std::string& argument = arguments[i];
-    if (chosen(argument)) {
-      ++i;
-    } else if (!chosen(std::string_view(argument).substr(0, argument.find('=')))) {
-      command += (command.empty() ? "" : " ") + quoted(argument);
-    }
-  }
-  return command;
+  return repeat_command(arguments, {random ? std::span<const std::string_view>(kAlways) : kOfScenes, {}});
 }
 
 }  // namespace
 
 void add_cosim(CLI::App& program, int& exit_code, const std::vector<std::string>& arguments) {
   auto options = std::make_shared<CosimOptions>();
-  options->command_line = repeat_command(arguments);
+  options->command_line = replayable(arguments);
   CLI::App* command =
       program.add_subcommand("cosim", "compares the RTL with the model on a scene, every stage's every beat");
   command->footer(
       "Stops a run at the first wrong stage: prints the field, the stage's inputs, a waveform and a replay command.\n"
       "Example: feline cosim --scene bricks --mode simple,table --size 512 --stalls 0.2 --memory-latency 50");
-  command->add_option("--scene", options->scenes, "built-in scene; a list a,b, or all");
-  options->subject.add_to(*command);
+  command->add_option("--scene", options->scenes, scene_names() + "; a list a,b, or all");
+  options->subject.add_to(*command, false);
   options->sampler.add_to(*command, true);
   command->add_option("--random", options->random, "so many random and directed lookups under random samplers instead")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40));
-  command->add_option("--memory-latency", options->timing.memory_latency, "cycles from a read to its data, >= 1")
+      ->check(whole_number(1, std::uint64_t{1} << 40));
+  command->add_option("--memory-latency", options->timing.memory_latency, "cycles from a read to its data")
+      ->check(whole_number(1, 100000))
       ->capture_default_str();
-  command->add_option("--stalls", options->timing.stalls, "chance of a stall at each port in each cycle, 0 to 0.95")
+  command->add_option("--stalls", options->timing.stalls, "chance of a stall at each port in each cycle")
+      ->check(number(0, 0.95))
       ->capture_default_str();
   command->add_option("--seed", options->timing.seed, "of stalls, power-up state and random lookups")
-      ->check(CLI::NonNegativeNumber)
+      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
       ->capture_default_str();
   command->add_option("--replay", options->replay, "only this lookup, or FIRST:LAST");
   command->add_option("--output", options->output, "directory for pictures, probe maps and the summary");
-  command->add_option("--wave", options->wave, "waveform (FST) around a mismatch")->capture_default_str();
+  options->wave_option =
+      command->add_option("--wave", options->wave, "waveform (FST) around a mismatch; of several runs, one each")
+          ->capture_default_str();
   command->add_flag("--no-wave", options->no_wave, "write no waveform");
   command->add_option("--jobs", options->jobs, "runs side by side; 0: as many as there are processors")
+      ->check(whole_number(0, 1024))
       ->capture_default_str();
   command->add_flag("--json", options->json, "the summary as JSON");
-  command->callback([options, &exit_code] {
-    options->subject.periodic = options->sampler.repeats();
-    exit_code = run_cosim(*options);
-  });
+  command->callback([options, &exit_code] { exit_code = run_cosim(*options); });
 }
 
 }  // namespace feline

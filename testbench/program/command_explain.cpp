@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "testbench/error.h"
+#include "testbench/program/command_line.h"
 #include "testbench/program/commands.h"
 #include "testbench/program/explanation.h"
 
@@ -15,6 +16,7 @@ struct ExplainOptions {
   SamplerChoice sampler;
   std::vector<double> derivatives;
   std::vector<double> position{0.5, 0.5};
+  const CLI::Option* position_option = nullptr;
   std::vector<int> pixel;
   bool json = false;
 };
@@ -50,13 +52,20 @@ Lookup pixel_lookup(const ExplainOptions& options, const Subject& subject) {
 }
 
 int run_explain(const ExplainOptions& options) {
+  const SamplerOptions choice = options.sampler.one();
   Subject subject;
   Lookup lookup;
   if (options.derivatives.empty()) {
-    subject = options.subject.load();
+    refuse_given(std::array{options.position_option}, "without --derivatives");
+    subject = options.subject.load(mip_edge(choice));
     lookup = pixel_lookup(options, subject);
   } else {
-    subject = options.subject.texture.empty() ? blank_subject(options.subject) : options.subject.load();
+    options.subject.check_texture_only();
+    subject = options.subject.texture.empty() ? blank_subject(options.subject) : Subject{};
+    if (!options.subject.texture.empty()) {
+      subject.texture = options.subject.load_texture_only(mip_edge(choice));
+      subject.memory = layout_texture(subject.texture);
+    }
     const double width = subject.texture.levels.front().width;
     const double height = subject.texture.levels.front().height;
     lookup = {static_cast<float>(options.position[0]),
@@ -66,7 +75,7 @@ int run_explain(const ExplainOptions& options) {
               static_cast<float>(options.derivatives[2] / width),
               static_cast<float>(options.derivatives[3] / height)};
   }
-  const Explanation explanation = explain(lookup, subject, options.sampler.one());
+  const Explanation explanation = explain(lookup, subject, choice);
   fmt::print("{}", options.json ? to_json(explanation).dump(1) + "\n" : to_text(explanation));
   return kHolds;
 }
@@ -84,21 +93,18 @@ void add_explain(CLI::App& program, int& exit_code) {
                    "du/dx,dv/dx,du/dy,dv/dy in texels a pixel; --size is then the texture's")
       ->delimiter(',')
       ->expected(4);
-  command->add_option("--position", options->position, "s,t of the lookup, with --derivatives")
-      ->delimiter(',')
-      ->expected(2);
+  options->position_option =
+      command->add_option("--position", options->position, "s,t of the lookup, with --derivatives")
+          ->delimiter(',')
+          ->expected(2);
   command->add_option("--pixel", options->pixel, "X,Y in a scene or G-buffer")
       ->delimiter(',')
       ->expected(2)
       ->excludes("--derivatives");
-  command->add_option("--scene", options->subject.scene, "built-in scene");
-  options->subject.add_to(*command);
+  options->subject.add_to(*command, true);
   options->sampler.add_to(*command, false);
   command->add_flag("--json", options->json, "the same as JSON");
-  command->callback([options, &exit_code] {
-    options->subject.periodic = options->sampler.repeats();
-    exit_code = run_explain(*options);
-  });
+  command->callback([options, &exit_code] { exit_code = run_explain(*options); });
 }
 
 }  // namespace feline

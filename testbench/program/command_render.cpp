@@ -5,6 +5,7 @@
 
 #include "testbench/cosim/job.h"
 #include "testbench/error.h"
+#include "testbench/program/command_line.h"
 #include "testbench/program/commands.h"
 #include "testbench/program/subject.h"
 #include "testbench/render.h"
@@ -19,17 +20,22 @@ struct RenderOptions {
   std::string output = "picture.png";
   bool map = false;
   bool json = false;
+  std::string cosim_command;  // the same lookups, for a replay
 };
 
 constexpr std::array<std::string_view, 2> kEngineNames{"model", "rtl"};
 
 // The pixels are the RTL's own; the maps show the plans, which co-simulation compares.
-Picture render_rtl(const Subject& subject, const SamplerState<kUnit>& sampler, bool& holds) {
+Picture render_rtl(const Subject& subject, const SamplerState<kUnit>& sampler, const std::string& command,
+                   bool& holds) {
   CosimJob job;
   job.scene = subject.name;
   job.width = subject.gbuffer.width;
   job.lookups = job.batch_lookups = subject.gbuffer.lookups.size();
-  job.command = "feline cosim with the scene, file and sampler options of this command, and";
+  job.mode = kModeNames[static_cast<std::size_t>(sampler.mode.raw())];
+  job.kernel = kKernelNames[static_cast<std::size_t>(sampler.kernel.raw())];
+  job.wrap = kWrapNames[static_cast<std::size_t>(sampler.wrap_s.raw())];
+  job.command = command;
   job.batch = [&](std::uint64_t) { return Batch{sampler, &subject.memory, subject.gbuffer.lookups, 0}; };
   Progress progress("rendering", job.lookups);
   CosimResult result = run_job(job, make_fast_unit, {}, std::nullopt, true, &progress);
@@ -61,21 +67,24 @@ int run_render(const RenderOptions& options) {
   const std::string extension = std::filesystem::path(options.output).extension().string();
   if (!extension.empty() && extension != ".png") bad_input(options.output, "--output", extension, "a .png file");
   const bool rtl = parse_name("--engine", options.engine, kEngineNames) == 1;
-  const Subject subject = options.subject.load();
+  check_writable(options.output);
   const SamplerOptions choice = options.sampler.one();
+  const Subject subject = options.subject.load(mip_edge(choice));
   const auto sampler = prepare_sampler(choice, subject.texture, subject.memory);
   bool holds = true;
-  const Picture picture =
-      rtl ? render_rtl(subject, sampler, holds) : render_model(subject.gbuffer, sampler, subject.memory);
+  const Picture picture = rtl ? render_rtl(subject, sampler, options.cosim_command, holds)
+                              : render_model(subject.gbuffer, sampler, subject.memory);
   if (!holds) return kBroken;
   const std::filesystem::path path = options.output;
   const std::filesystem::path probe_map = beside(path, "probes");
   const std::filesystem::path level_map = beside(path, "levels");
-  write_picture(path, picture);
+  OutputFiles outputs;
+  write_picture(outputs, path, picture);
   if (options.map) {
-    write_probe_map(probe_map, picture);
-    write_level_map(level_map, picture, static_cast<int>(sampler.last_level.raw()));
+    write_probe_map(outputs, probe_map, picture);
+    write_level_map(outputs, level_map, picture, static_cast<int>(sampler.last_level.raw()));
   }
+  outputs.commit();
   if (options.json) {
     auto json = to_json(picture);
     json["scene"] = subject.name;
@@ -93,21 +102,23 @@ int run_render(const RenderOptions& options) {
 
 }  // namespace
 
-void add_render(CLI::App& program, int& exit_code) {
+void add_render(CLI::App& program, int& exit_code, const std::vector<std::string>& arguments) {
   auto options = std::make_shared<RenderOptions>();
+  constexpr std::array<std::string_view, 2> kOptions{"--engine", "--output"};
+  constexpr std::array<std::string_view, 2> kFlags{"--map", "--json"};
+  if (arguments.size() > 1) {
+    const std::string rest = repeat_command(std::span(arguments).subspan(1), {kOptions, kFlags});
+    options->cosim_command = "feline cosim" + rest.substr(std::string_view("feline").size());
+  }
   CLI::App* command = program.add_subcommand("render", "makes a picture of a G-buffer and a texture");
   command->footer("Example: feline render --scene window --mode table --size 512 --output window.png --map");
-  command->add_option("--scene", options->subject.scene, "built-in scene");
-  options->subject.add_to(*command);
+  options->subject.add_to(*command, true);
   options->sampler.add_to(*command, false);
   command->add_option("--engine", options->engine, "model or rtl")->capture_default_str();
   command->add_option("--output", options->output, "PNG to write")->capture_default_str();
   command->add_flag("--map", options->map, "write maps of probes and levels beside it");
   command->add_flag("--json", options->json, "tell what was written, and figures, as JSON");
-  command->callback([options, &exit_code] {
-    options->subject.periodic = options->sampler.repeats();
-    exit_code = run_render(*options);
-  });
+  command->callback([options, &exit_code] { exit_code = run_render(*options); });
 }
 
 }  // namespace feline

@@ -41,9 +41,11 @@ int run_scene(const SceneOptions& options) {
   const MipLevel level = scene.paint();
   const auto gbuffer_path = directory / (stem + ".exr");
   const auto texture_path = directory / (stem + "-texture.png");
-  write_gbuffer(gbuffer_path, make_gbuffer(scene, size.width, size.height));
-  write_png(texture_path, level.width, level.height, bytes_per_texel(scene.format),
+  OutputFiles outputs;
+  write_gbuffer(outputs, gbuffer_path, make_gbuffer(scene, size.width, size.height));
+  write_png(outputs, texture_path, level.width, level.height, bytes_per_texel(scene.format),
             std::span<const std::uint8_t>(level.texels));
+  outputs.commit();
   if (options.json) {
     const nlohmann::ordered_json json{{"scene", scene.name},
                                       {"width", size.width},
@@ -65,11 +67,12 @@ void add_scene(CLI::App& program, int& exit_code) {
   auto options = std::make_shared<SceneOptions>();
   CLI::App* command = program.add_subcommand("scene", "writes a built-in scene as a G-buffer and its texture");
   command->footer("Example: feline scene --scene bricks --size 512 --output /tmp");
-  command->add_option("--scene", options->scene, "its name; --list tells them");
-  command->add_option("--size", options->size, "picture size: N or WIDTHxHEIGHT")->capture_default_str();
+  auto* const scene = command->add_option("--scene", options->scene, scene_names());
+  auto* const size =
+      command->add_option("--size", options->size, "picture size: N or WIDTHxHEIGHT")->capture_default_str();
   command->add_option("--output", options->output, "directory for NAME.exr and NAME-texture.png")
       ->capture_default_str();
-  command->add_flag("--list", options->list, "tell the scenes and stop");
+  command->add_flag("--list", options->list, "tell the scenes and stop")->excludes(scene)->excludes(size);
   command->add_flag("--json", options->json, "tell what was written, or the list, as JSON");
   command->callback([options, &exit_code] { exit_code = run_scene(*options); });
 }

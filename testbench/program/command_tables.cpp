@@ -19,7 +19,7 @@ struct TablesOptions {
 };
 
 // The ellipse table as four panels, uvScale, uvScale90, minor and major radius scale: row 0 at the top, dark is 0.
-void write_heat_map(const std::filesystem::path& path, const Rom& ellipse) {
+void write_heat_map(OutputFiles& outputs, const std::filesystem::path& path, const Rom& ellipse) {
   constexpr int kCell = 16;
   constexpr int kGap = 8;
   constexpr int kRows = kDefaultConfig.table_rows;
@@ -44,7 +44,7 @@ void write_heat_map(const std::filesystem::path& path, const Rom& ellipse) {
       }
     }
   }
-  write_png(path, width, height, 3, std::span<const std::uint8_t>(pixels));
+  write_png(outputs, path, width, height, 3, std::span<const std::uint8_t>(pixels));
 }
 
 struct Judged {
@@ -70,10 +70,12 @@ int run_tables(const TablesOptions& options) {
     if (!std::filesystem::is_directory(directory)) {
       bad_input(options.output, "--output", "no directory", "a directory that exists");
     }
+    OutputFiles outputs;
     for (const GeneratedFile& file : generate<kDefaultConfig>(measured)) {
-      write_file_atomically(directory / file.name, file.text);
+      outputs.add(directory / file.name).append(file.text);
     }
-    write_heat_map(directory / "ellipse.png", measured.ellipse);
+    write_heat_map(outputs, directory / "ellipse.png", measured.ellipse);
+    outputs.commit();
   }
   if (options.json) {
     fmt::print("{}", emit_json(kDefaultConfig, measured, fingerprint<kDefaultConfig>()));

@@ -54,8 +54,15 @@ PlannedEllipse mode_ellipse(Mode mode, const Lookup& lookup, const Subject& text
   return ellipse;
 }
 
-// How far `got` is off, in percent of `want`; 0 where that says nothing.
-double percent(double got, double want) { return want == 0 ? 0 : 100 * (got / want - 1); }
+// How far `got` is off, in percent of `want`, or a dash where that says nothing.
+std::string percent(double got, double want) {
+  const double off = 100 * (got / want - 1);
+  return std::isfinite(off) ? fmt::format("{:.2f}%", off) : "-";
+}
+
+std::string texels(double radius) {
+  return radius < 1e7 ? fmt::format("{:.3f}", radius) : fmt::format("{:.4e}", radius);
+}
 
 struct Operand {
   const char* name;
@@ -104,14 +111,14 @@ std::string to_text(const Explanation& explanation) {
     }
   }
   const PlannedEllipse& ideal = explanation.ideal;
-  out += fmt::format("\n{:<10}{:>14}{:>9}{:>14}{:>9}{:>12}{:>8}{:>8}\n", "footprint", "major, texels", "error",
+  out += fmt::format("\n{:<10} {:>14} {:>9} {:>14} {:>9} {:>10} {:>8} {:>8}\n", "footprint", "major, texels", "error",
                      "minor, texels", "error", "degrees", "probes", "level");
-  out += fmt::format("{:<10}{:>14.3f}{:>9}{:>14.3f}{:>9}{:>12.2f}{:>8g}{:>8.3f}\n", ideal.name, ideal.major, "",
-                     ideal.minor, "", ideal.degrees, ideal.probes, ideal.level);
+  out += fmt::format("{:<10} {:>14} {:>9} {:>14} {:>9} {:>10.2f} {:>8} {:>8.3f}\n", ideal.name, texels(ideal.major), "",
+                     texels(ideal.minor), "", ideal.degrees, ideal.probes, ideal.level);
   for (const PlannedEllipse& mode : explanation.modes) {
-    out += fmt::format("{:<10}{:>14.3f}{:>8.2f}%{:>14.3f}{:>8.2f}%{:>12.2f}{:>8}{:>8.3f}\n", mode.name, mode.major,
-                       percent(mode.major, ideal.major), mode.minor, percent(mode.minor, ideal.minor), mode.degrees,
-                       mode.probes, mode.level);
+    out += fmt::format("{:<10} {:>14} {:>9} {:>14} {:>9} {:>10.2f} {:>8} {:>8.3f}\n", mode.name, texels(mode.major),
+                       percent(mode.major, ideal.major), texels(mode.minor), percent(mode.minor, ideal.minor),
+                       mode.degrees, mode.probes, mode.level);
   }
   return out;
 }

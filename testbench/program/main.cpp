@@ -9,6 +9,7 @@
 #include <exception>
 
 #include "testbench/error.h"
+#include "testbench/program/command_line.h"
 #include "testbench/program/commands.h"
 
 namespace {
@@ -27,20 +28,24 @@ int main(int argc, char** argv) {
   int exit_code = feline::kHolds;
   // A file beyond the size limit is then a write error like any other, with a message.
   std::signal(SIGXFSZ, SIG_IGN);
+  const std::vector<std::string> arguments(argv, argv + argc);
   feline::add_tables(program, exit_code);
   feline::add_scene(program, exit_code);
-  feline::add_render(program, exit_code);
+  feline::add_render(program, exit_code, arguments);
   feline::add_explain(program, exit_code);
   feline::add_vectors(program, exit_code);
-  feline::add_cosim(program, exit_code, {argv, argv + argc});
+  feline::add_cosim(program, exit_code, arguments);
   try {
     const auto is_named = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
     if (argc > 1 && argv[1][0] != '-' && std::ranges::none_of(program.get_subcommands(nullptr), is_named)) {
       feline::bad_input("command line", "command", argv[1], "tables, scene, render, explain, vectors or cosim");
     }
+    feline::refuse_empty(arguments);
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return program.exit(error) == 0 ? feline::kHolds : feline::kBadInput;
+    if (error.get_exit_code() == 0) return program.exit(error);
+    complain(fmt::format("command line: {}; --help tells what is legal", error.what()));
+    return feline::kBadInput;
   } catch (const feline::InputError& error) {
     complain(error.what());
     return feline::kBadInput;

@@ -8,6 +8,7 @@
 #include <charconv>
 
 #include "testbench/error.h"
+#include "testbench/program/command_line.h"
 #include "testbench/scenes/scene.h"
 
 namespace feline {
@@ -19,7 +20,7 @@ int parse_side(const std::string& option, const std::string& text, std::string_v
   int value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc{} || end != digits.data() + digits.size() || value < 1 || value > kMaxImageSize) {
-    bad_input(option, "size", text, fmt::format("WIDTHxHEIGHT or one number, each 1 to {}", kMaxImageSize));
+    bad_input("command line", option, text, fmt::format("WIDTHxHEIGHT or one number, each 1 to {}", kMaxImageSize));
   }
   return value;
 }
@@ -33,18 +34,9 @@ std::vector<Choice> parse_list(const std::string& option, const std::string& tex
     for (std::size_t i = 0; i < names.size(); ++i) choices.push_back(static_cast<Choice>(i));
     return choices;
   }
-  const std::vector<std::string> values = lists ? split_list(text) : std::vector<std::string>{text};
+  const std::vector<std::string> values = lists ? split_list(option, text) : std::vector<std::string>{text};
   for (const std::string& value : values) choices.push_back(static_cast<Choice>(parse_name(option, value, names)));
   return choices;
-}
-
-// Random lookups bring their own textures and samplers: what else was chosen would be ignored.
-void refuse_with_random(const std::vector<const CLI::Option*>& options) {
-  for (const CLI::Option* option : options) {
-    if (option->count() == 0) continue;
-    bad_input("command line", option->get_name(), fmt::format("{}", fmt::join(option->results(), ",")),
-              "nothing together with --random");
-  }
 }
 
 }  // namespace
@@ -56,50 +48,64 @@ Size parse_size(const std::string& option, const std::string& text) {
   return {width, cross == std::string::npos ? width : parse_side(option, text, all.substr(cross + 1))};
 }
 
-std::vector<std::string> split_list(const std::string& text) {
-  std::vector<std::string> parts;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t comma = std::min(text.find(',', at), text.size());
-    parts.push_back(text.substr(at, comma - at));
-    at = comma + 1;
-  }
-  return parts;
+std::string scene_names() {
+  std::vector<std::string_view> names;
+  for (const Scene& each : scenes()) names.push_back(each.name);
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
-std::size_t parse_name(const std::string& option, const std::string& value, std::span<const std::string_view> names) {
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (names[i] == value) return i;
-  }
-  bad_input("command line", option, value, fmt::format("one of {}", fmt::join(names, ", ")));
-}
-
-void SubjectOptions::add_to(CLI::App& command) {
+void SubjectOptions::add_to(CLI::App& command, bool with_scene) {
+  if (with_scene) view_.push_back(command.add_option("--scene", scene, scene_names()));
+  view_.push_back(
+      command.add_option("--gbuffer", gbuffer, "EXR with channels s, t, dsdx, dtdx, dsdy, dtdy, instead of a scene's"));
   size_ = command.add_option("--size", size, "picture size of a scene: N or WIDTHxHEIGHT")->capture_default_str();
-  options_ = {
-      size_,
-      command.add_option("--gbuffer", gbuffer, "EXR with channels s, t, dsdx, dtdx, dsdy, dtdy, instead of a scene's"),
-      command.add_option("--texture", texture, "image or .tx file, instead of the scene's texture"),
+  view_.push_back(
+      command.add_flag("--allow-non-finite", allow_non_finite, "take a G-buffer with NaN or infinity in it"));
+  const CLI::Option* const file = command.add_option("--texture", texture, "image or .tx file, instead of the scene's");
+  const CLI::Option* const filter =
       command.add_option("--mip-filter", mip_filter, "makes a texture's mip levels: lanczos (radius 3) or box")
-          ->capture_default_str(),
+          ->capture_default_str();
+  texture_parts_ = {
       command.add_option("--texture-format", format, "r8, rg8 or rgba8, instead of what the file's channels say"),
-      command.add_flag("--srgb", srgb, "the texture file's colours are sRGB encoded"),
-      command.add_flag("--allow-non-finite", allow_non_finite, "take a G-buffer with NaN or infinity in it")};
+      command.add_flag("--srgb", srgb, "the texture file's colours are sRGB encoded")};
+  options_ = view_;
+  options_.insert(options_.end(), {size_, file, filter});
+  options_.insert(options_.end(), texture_parts_.begin(), texture_parts_.end());
 }
 
-Subject SubjectOptions::load(const std::string& scene_name) const {
+Texture SubjectOptions::load_texture_only(MipEdge edge) const {
+  ImageOptions options;
+  options.srgb = srgb;
+  options.mip_filter = static_cast<MipFilter>(parse_name("--mip-filter", mip_filter, kMipFilterNames));
+  options.mip_edge = edge;
+  if (!format.empty()) {
+    options.format = static_cast<TexelFormat>(parse_name("--texture-format", format, kTexelFormatNames));
+  }
+  return load_texture(texture, options);
+}
+
+void SubjectOptions::check_texture_only() const {
+  refuse_given(view_, "together with --derivatives");
+  if (texture.empty()) {
+    refuse_given(texture_parts_, "without --texture");
+  } else {
+    refuse_given(std::array{size_}, "together with --texture, which has its own");
+  }
+}
+
+void SubjectOptions::check_random() const { refuse_given(options_, "together with --random"); }
+
+Subject SubjectOptions::load(const std::string& scene_name, MipEdge edge) const {
   if (texture.empty() && !gbuffer.empty() && scene_name.empty()) {
     bad_input("command line", "--texture", "nothing", "an image for the G-buffer, or --scene for a built-in texture");
   }
-  if (texture.empty() && srgb) bad_input("command line", "--srgb", "given", "nothing without --texture");
-  if (texture.empty() && !format.empty()) {
-    bad_input("command line", "--texture-format", format, "nothing without --texture");
+  if (!texture.empty() && !gbuffer.empty() && !scene_name.empty()) {
+    bad_input("command line", "--scene", scene_name, "nothing together with both --gbuffer and --texture");
   }
-  if (!gbuffer.empty() && size_->count() != 0) {
-    bad_input("command line", "--size", size, "nothing together with --gbuffer, which has its own");
-  }
+  if (texture.empty()) refuse_given(texture_parts_, "without --texture");
+  if (!gbuffer.empty()) refuse_given(std::array{size_}, "together with --gbuffer, which has its own");
   Subject subject;
   const Scene& built_in = find_scene(scene_name.empty() ? scenes().front().name : std::string_view(scene_name));
-  const auto filter = static_cast<MipFilter>(parse_name("--mip-filter", mip_filter, kMipFilterNames));
   if (gbuffer.empty()) {
     const Size pixels = parse_size("--size", size);
     subject.gbuffer = make_gbuffer(built_in, pixels.width, pixels.height);
@@ -108,19 +114,14 @@ Subject SubjectOptions::load(const std::string& scene_name) const {
     GBufferOptions options;
     options.allow_non_finite = allow_non_finite;
     subject.gbuffer = read_gbuffer(gbuffer, options);
-    subject.name = gbuffer;
+    subject.name = std::filesystem::path(gbuffer).stem().string();
+    if (texture.empty()) subject.name += "+" + scene_name;
   }
   if (texture.empty()) {
-    subject.texture = built_in.texture(filter);
+    const auto filter = static_cast<MipFilter>(parse_name("--mip-filter", mip_filter, kMipFilterNames));
+    subject.texture = built_in.texture(filter, edge);
   } else {
-    ImageOptions options;
-    options.srgb = srgb;
-    options.mip_filter = filter;
-    options.mip_edge = periodic ? MipEdge::kRepeat : MipEdge::kClamp;
-    if (!format.empty()) {
-      options.format = static_cast<TexelFormat>(parse_name("--texture-format", format, kTexelFormatNames));
-    }
-    subject.texture = load_texture(texture, options);
+    subject.texture = load_texture_only(edge);
   }
   subject.memory = layout_texture(subject.texture);
   return subject;
@@ -135,21 +136,33 @@ void SamplerChoice::add_to(CLI::App& command, bool lists) {
   mode_ = add("--mode", modes, kModeNames);
   kernel_ = add("--kernel", kernels, kKernelNames);
   wrap_ = add("--wrap", wraps, kWrapNames);
-  const std::string probes = fmt::format("1 to {}", kDefaultConfig.max_probes);
-  others_ = {command.add_option("--wrap-t", wrap_t, "another wrap mode along t"),
-             command.add_option("--magnify", magnify, "nearest or linear; nearest is the default of mode nearest only"),
-             command.add_option("--parameters", parameters, "exact, high_quality or high_efficiency (Feline 3.4)")
-                 ->capture_default_str(),
-             command.add_option("--length-factor", length_factor, "shortens the ellipse: above 0, to 1"),
-             command.add_option("--blur-factor", blur_factor, "widens it at most so much: 1 to 1.996"),
-             command.add_option("--alias-factor", alias_factor, "spreads probes at most so much: 1 to 2"),
-             command.add_option("--max-probes", max_probes, probes)->capture_default_str(),
-             command.add_option("--bias", bias, "level of detail bias: -16 to 15.996")->capture_default_str(),
-             command.add_option("--min-level", min_level, "0 to 15.996")->capture_default_str(),
-             command.add_option("--max-level", max_level, "0 to 15.996"),
-             command.add_option("--border", border, "border colour R,G,B,A, each 0 to 1, linear")
-                 ->delimiter(',')
-                 ->expected(4)};
+  constexpr double kFactorStep = 1.0 / static_cast<double>(Formats<kDefaultConfig>::kFactor.one());
+  others_ = {
+      command.add_option("--wrap-t", wrap_t, "another wrap mode along t"),
+      command.add_option("--magnify", magnify, "nearest or linear; nearest is the default of mode nearest only"),
+      command.add_option("--parameters", parameters, "exact, high_quality or high_efficiency (Feline 3.4)")
+          ->capture_default_str(),
+      command.add_option("--rounding", rounding,
+                         "of the probe count: nearest (Feline 3.1) or ceiling (3.4), instead of the parameters' own"),
+      command.add_option("--length-factor", length_factor, "shortens the ellipse")->check(number(kFactorStep, 1)),
+      command.add_option("--blur-factor", blur_factor, "widens it at most so much: rounding is then ceiling")
+          ->check(number(1, 2 - kFactorStep)),
+      command.add_option("--alias-factor", alias_factor, "spreads probes at most so much: rounding is then ceiling")
+          ->check(number(1, 2)),
+      command.add_option("--max-probes", max_probes, "the most that a lookup takes")
+          ->check(whole_number(1, kDefaultConfig.max_probes))
+          ->capture_default_str(),
+      command.add_option("--bias", bias, "of the level of detail")
+          ->check(number(-16, kMaxLevel))
+          ->capture_default_str(),
+      command.add_option("--min-level", min_level, "the finest level")
+          ->check(number(0, kMaxLevel))
+          ->capture_default_str(),
+      command.add_option("--max-level", max_level, "the coarsest level")->check(number(0, kMaxLevel)),
+      command.add_option("--border", border, "border colour R,G,B,A, linear")
+          ->delimiter(',')
+          ->expected(4)
+          ->check(number(0, 1))};
 }
 
 std::vector<SamplerOptions> SamplerChoice::combinations() const {
@@ -160,12 +173,23 @@ std::vector<SamplerOptions> SamplerChoice::combinations() const {
   options.probes.length_factor = length_factor.value_or(options.probes.length_factor);
   options.probes.blur_factor = blur_factor.value_or(options.probes.blur_factor);
   options.probes.alias_factor = alias_factor.value_or(options.probes.alias_factor);
-  // Factors other than one mean the limits of 3.4, which only its ceiling knows.
-  if (blur_factor || alias_factor) options.probes.rounding = ProbeRounding::kCeiling;
+  // Only the ceiling of 3.4 knows limits of blur and aliasing.
+  const bool factored = options.probes.blur_factor != 1 || options.probes.alias_factor != 1;
+  if (factored) options.probes.rounding = ProbeRounding::kCeiling;
+  if (!rounding.empty()) {
+    options.probes.rounding = static_cast<ProbeRounding>(parse_name("--rounding", rounding, kProbeRoundingNames));
+  }
+  if (factored && options.probes.rounding == ProbeRounding::kNearest) {
+    bad_input("command line", "--rounding", rounding, "ceiling, with a blur or alias factor other than 1");
+  }
+  options.max_level = max_level.value_or(options.max_level);
+  if (min_level > options.max_level) {
+    bad_input("command line", "--min-level", fmt::format("{}", min_level),
+              fmt::format("at most --max-level, {}", options.max_level));
+  }
   options.max_probes = max_probes;
   options.level_bias = bias;
   options.min_level = min_level;
-  options.max_level = max_level.value_or(options.max_level);
   for (std::size_t c = 0; c < border.size(); ++c) options.border[c] = border[c];
 
   std::vector<SamplerOptions> all;
@@ -186,17 +210,12 @@ std::vector<SamplerOptions> SamplerChoice::combinations() const {
 }
 
 RandomBatches::Choices SamplerChoice::random_choices() const {
-  refuse_with_random(others_);
+  refuse_given(others_, "together with --random");
   RandomBatches::Choices choices;
   if (mode_->count() != 0) choices.modes = parse_list<Mode>("--mode", modes, lists_, kModeNames);
   if (kernel_->count() != 0) choices.kernels = parse_list<Kernel>("--kernel", kernels, lists_, kKernelNames);
   if (wrap_->count() != 0) choices.wraps = parse_list<Wrap>("--wrap", wraps, lists_, kWrapNames);
   return choices;
-}
-
-void SubjectOptions::check_random() const {
-  if (!scene.empty()) bad_input("command line", "--scene", scene, "nothing together with --random");
-  refuse_with_random(options_);
 }
 
 SamplerState<kDefaultConfig> prepare_sampler(const SamplerOptions& options, const Texture& texture,

@@ -32,17 +32,24 @@ struct SubjectOptions {
   std::string format;
   bool srgb = false;
   bool allow_non_finite = false;
-  bool periodic = false;  // the wrap mode repeats: mip levels of a texture file have no seam
 
-  void add_to(CLI::App& command);
+  // A command whose --scene takes a list adds that option itself.
+  void add_to(CLI::App& command, bool with_scene);
   // Throws InputError when anything here was chosen: random lookups bring their own textures.
   void check_random() const;
-  Subject load(const std::string& scene_name) const;
-  Subject load() const { return load(scene); }
+  // What lies beyond an edge while mip levels are made is as the sampler wraps.
+  Subject load(const std::string& scene_name, MipEdge edge) const;
+  Subject load(MipEdge edge) const { return load(scene, edge); }
+  // Of all this only --texture and its options; --size is then the texture's own.
+  Texture load_texture_only(MipEdge edge) const;
+  // Throws InputError when anything but the texture and its options was chosen.
+  void check_texture_only() const;
 
  private:
   const CLI::Option* size_ = nullptr;
-  std::vector<const CLI::Option*> options_;  // all of them
+  std::vector<const CLI::Option*> view_;           // of the lookups
+  std::vector<const CLI::Option*> texture_parts_;  // of the texture: nothing without --texture
+  std::vector<const CLI::Option*> options_;        // all of them
 };
 
 // "512" or "512x256"; InputError unless both are 1 .. 16384.
@@ -52,12 +59,6 @@ struct Size {
 };
 Size parse_size(const std::string& option, const std::string& text);
 
-// "a,b" to a and b.
-std::vector<std::string> split_list(const std::string& text);
-
-// One of `names`, as its index; InputError naming the option, and all that is legal.
-std::size_t parse_name(const std::string& option, const std::string& value, std::span<const std::string_view> names);
-
 // The command line's sampler. Lists are for cosim, which runs every combination; "all" is every one.
 struct SamplerChoice {
   std::string modes = "table";
@@ -66,6 +67,7 @@ struct SamplerChoice {
   std::string wrap_t;  // as wraps, if empty
   std::string magnify;
   std::string parameters = "exact";
+  std::string rounding;
   std::optional<double> length_factor, blur_factor, alias_factor;
   int max_probes = kDefaultConfig.max_probes;
   double bias = 0;
@@ -77,7 +79,6 @@ struct SamplerChoice {
   // Every combination asked for, in the order mode, kernel, wrap.
   std::vector<SamplerOptions> combinations() const;
   SamplerOptions one() const { return combinations().front(); }
-  bool repeats() const { return wraps == "repeat" && (wrap_t.empty() || wrap_t == "repeat"); }
   // For random samplers: of modes, kernels and wraps what was asked for, and of what was not, everything. Throws
   // InputError when anything else was chosen.
   RandomBatches::Choices random_choices() const;
@@ -89,6 +90,14 @@ struct SamplerChoice {
   const CLI::Option* wrap_ = nullptr;
   std::vector<const CLI::Option*> others_;
 };
+
+// Mip levels of a texture that repeats have no seam.
+constexpr MipEdge mip_edge(const SamplerOptions& options) {
+  return options.wrap_s == Wrap::kRepeat && options.wrap_t == Wrap::kRepeat ? MipEdge::kRepeat : MipEdge::kClamp;
+}
+
+// "bricks, curves, ...", for help.
+std::string scene_names();
 
 // make_sampler with its complaint turned into an InputError.
 SamplerState<kDefaultConfig> prepare_sampler(const SamplerOptions& options, const Texture& texture,

@@ -33,8 +33,8 @@ void check_side(const Scene& scene, std::string_view field, int size) {
 
 }  // namespace
 
-Texture Scene::texture(MipFilter filter) const {
-  return {format, srgb, build_mip_chain(paint(), bytes_per_texel(format), filter, srgb, MipEdge::kRepeat)};
+Texture Scene::texture(MipFilter filter, MipEdge edge) const {
+  return {format, srgb, build_mip_chain(paint(), bytes_per_texel(format), filter, srgb, edge)};
 }
 
 Lookup Scene::lookup(double x, double y) const { return round_lookup(project_at(*this, x, y), 1.0, 1.0); }

@@ -30,8 +30,8 @@ struct Scene {
   // x and y in [0, 1] from the upper left corner of the picture, with derivatives 1, 0 and 0, 1.
   TexturePoint (*project)(const Dual& x, const Dual& y);
 
-  // The texture with its whole chain; textures are periodic, and so are their levels.
-  Texture texture(MipFilter filter = MipFilter::kLanczos) const;
+  // The texture with its whole chain; textures are periodic, and so are their levels, if they may.
+  Texture texture(MipFilter filter = MipFilter::kLanczos, MipEdge edge = MipEdge::kRepeat) const;
 
   // Derivatives per picture width and height, not per pixel.
   Lookup lookup(double x, double y) const;

@@ -42,7 +42,6 @@ Levels levels_of(const Lookup& lookup, const State& state) {
 SamplerOptions options_of(Random& random, Mode mode) {
   SamplerOptions options = random_options(random);
   options.mode = mode;
-  options.probes.length_factor = std::max(options.probes.length_factor, 0.9649);  // 0.9625 and up once quantized
   if (random.one_in(2)) options.probes = random.pick(std::array{kExact, kHighQuality, kHighEfficiency});
   return options;
 }

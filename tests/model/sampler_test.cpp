@@ -64,18 +64,18 @@ struct Refusal {
 
 TEST(sampler, refuses_what_the_machine_cannot_hold) {
   const double nan = std::nan("");
-  const std::vector<Refusal> refusals{{"lengthFactor", [](auto& o, auto&) { o.probes.length_factor = 0; }},
-                                      {"lengthFactor", [](auto& o, auto&) { o.probes.length_factor = 1.01; }},
-                                      {"blurFactor", [](auto& o, auto&) { o.probes.blur_factor = 0.99; }},
-                                      {"blurFactor", [](auto& o, auto&) { o.probes.blur_factor = 2; }},
-                                      {"aliasFactor", [nan](auto& o, auto&) { o.probes.alias_factor = nan; }},
-                                      {"aliasFactor", [](auto& o, auto&) { o.probes.alias_factor = 2.1; }},
-                                      {"maxProbes", [](auto& o, auto&) { o.max_probes = 0; }},
-                                      {"maxProbes", [](auto& o, auto&) { o.max_probes = 17; }},
-                                      {"level bias", [](auto& o, auto&) { o.level_bias = 16; }},
-                                      {"level bias", [](auto& o, auto&) { o.level_bias = -16.01; }},
-                                      {"max level", [](auto& o, auto&) { o.max_level = -1; }},
-                                      {"min level", [](auto& o, auto&) { o.min_level = 2, o.max_level = 1; }},
+  const std::vector<Refusal> refusals{{"length_factor", [](auto& o, auto&) { o.probes.length_factor = 0; }},
+                                      {"length_factor", [](auto& o, auto&) { o.probes.length_factor = 1.01; }},
+                                      {"blur_factor", [](auto& o, auto&) { o.probes.blur_factor = 0.99; }},
+                                      {"blur_factor", [](auto& o, auto&) { o.probes.blur_factor = 2; }},
+                                      {"alias_factor", [nan](auto& o, auto&) { o.probes.alias_factor = nan; }},
+                                      {"alias_factor", [](auto& o, auto&) { o.probes.alias_factor = 2.1; }},
+                                      {"max_probes", [](auto& o, auto&) { o.max_probes = 0; }},
+                                      {"max_probes", [](auto& o, auto&) { o.max_probes = 17; }},
+                                      {"level_bias", [](auto& o, auto&) { o.level_bias = 16; }},
+                                      {"level_bias", [](auto& o, auto&) { o.level_bias = -16.01; }},
+                                      {"max_level", [](auto& o, auto&) { o.max_level = -1; }},
+                                      {"min_level", [](auto& o, auto&) { o.min_level = 2, o.max_level = 1; }},
                                       {"border", [](auto& o, auto&) { o.border[2] = 1.5; }},
                                       {"levels", [](auto&, auto& t) { t.levels.clear(); }},
                                       {"levels", [](auto&, auto& t) { t.levels.push_back(t.levels.back()); }},
@@ -98,6 +98,23 @@ TEST(sampler, refuses_what_the_machine_cannot_hold) {
       EXPECT_NE(std::string(error.what()).find(error.field), std::string::npos);
     }
   }
+}
+
+// OpenGL 4.6, 8.14.2: a border has the channels that the texture has.
+TEST(sampler, border_has_the_channels_of_the_format) {
+  Random random(3);
+  SamplerOptions options;
+  options.border = {0.2, 0.4, 0.6, 0.8};
+  const auto border_of = [&](TexelFormat format) {
+    const Scene scene = make_scene(random, 4, 4, format, false, Content::kNoise);
+    const State state = make_sampler<kDefaultConfig>(options, scene.texture, scene.memory);
+    std::array<double, 4> border{};
+    for (std::size_t c = 0; c < 4; ++c) border[c] = state.border[c].value() / 255;
+    return border;
+  };
+  EXPECT_EQ(border_of(TexelFormat::kR8), (std::array{0.2, 0.0, 0.0, 1.0}));
+  EXPECT_EQ(border_of(TexelFormat::kRg8), (std::array{0.2, 0.4, 0.0, 1.0}));
+  EXPECT_EQ(border_of(TexelFormat::kRgba8), (std::array{0.2, 0.4, 0.6, 0.8}));
 }
 
 // Tiles of 4 x 4, rows of tiles, levels one after the other: each texel once, and nothing else but zeros.

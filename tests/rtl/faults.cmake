@@ -67,5 +67,10 @@ include(tests/rtl/fault_list.cmake)
 file(WRITE ${FAULTY_DIR}/fault_table.inc "${FAULT_TABLE}")
 list(TRANSFORM RTL_FILES REPLACE ".*/" "${FAULTY_DIR}/" OUTPUT_VARIABLE FAULTY_FILES)
 # Mutants need not be lint-clean.
-feline_verilated(feline_faulty tests/rtl/faulty_unit.cpp -O1 WARNINGS -Wno-lint FILES ${FAULTY_DIR}/feline_fault_pkg.sv ${FAULTY_FILES})
+feline_verilated(feline_faulty tests/rtl/faulty_unit.cpp -O1 TRACE_FST WARNINGS -Wno-lint FILES ${FAULTY_DIR}/feline_fault_pkg.sv ${FAULTY_FILES})
 target_include_directories(feline_faulty PUBLIC ${FAULTY_DIR})
+
+# The program with a fault in its RTL. Its own units come before those of the bench's libraries.
+add_executable(feline_broken testbench/program/main.cpp tests/rtl/broken_units.cpp)
+target_compile_options(feline_broken PRIVATE ${FELINE_WARNINGS})
+target_link_libraries(feline_broken PRIVATE feline_bench feline_faulty)

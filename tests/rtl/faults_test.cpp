@@ -5,20 +5,11 @@
 
 #include "testbench/cosim/job.h"
 #include "testbench/cosim/random_batches.h"
+#include "tests/rtl/fault.h"
 #include "tests/rtl/faulty_unit.h"
 
 namespace feline {
 namespace {
-
-struct Fault {
-  int number;
-  const char* stage;
-  const char* what;
-};
-
-constexpr Fault kFaults[] = {
-#include "fault_table.inc"
-};
 
 CosimJob random_job(std::uint64_t lookups) {
   constexpr std::uint64_t kBatchLookups = 256;

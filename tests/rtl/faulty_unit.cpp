@@ -2,6 +2,7 @@
 #include "tests/rtl/faulty_unit.h"
 
 #include <Vfeline_faulty.h>
+#include <verilated_fst_c.h>
 
 #include "testbench/cosim/verilated_unit.h"
 
@@ -18,6 +19,10 @@ void set_fault(int number) { current_fault = number; }
 
 std::unique_ptr<RtlUnit> make_faulty_unit(std::uint64_t seed) {
   return std::make_unique<VerilatedUnit<Vfeline_faulty>>(seed);
+}
+
+std::unique_ptr<RtlUnit> make_faulty_trace_unit(std::uint64_t seed) {
+  return std::make_unique<VerilatedUnit<Vfeline_faulty, VerilatedFstC>>(seed);
 }
 
 }  // namespace feline

@@ -9,6 +9,8 @@
 namespace feline {
 namespace {
 
+constexpr int kLongEnough = 100;
+
 struct Bench {
   Texture texture{TexelFormat::kR8, false, {{4, 4, std::vector<std::uint8_t>(16, 77)}}};
   TextureMemory memory = layout_texture(texture);
@@ -45,7 +47,32 @@ struct Bench {
   }
 };
 
-constexpr int kLongEnough = 100;
+// A reset at any moment, reads outstanding or a pixel on offer, and the next lookup is as the first ever.
+TEST(handshake, reset_at_any_cycle_forgets_everything) {
+  for (int cycles = 0; cycles < kLongEnough; ++cycles) {
+    for (const bool memory_ready : {false, true}) {
+      Bench bench;
+      bench.run(cycles, memory_ready);
+      RtlUnit::Inputs inputs;
+      inputs.reset = true;
+      bench.unit->cycle(inputs);
+      EXPECT_FALSE((bench.unit->cycle({}), bench.unit->outputs()).busy) << cycles;
+      const RtlUnit::Outputs outputs = bench.run(kLongEnough, true);
+      ASSERT_TRUE(outputs.accumulate_valid) << cycles;
+      const auto pixel = unpack<AccumulateBeat<kUnit>>(bench.unit->beat(Stage::kAccumulate));
+      EXPECT_EQ(pixel.colour[0].value(), 77) << cycles;
+      // It was the only one.
+      inputs = {};
+      inputs.accumulate_ready = true;
+      bench.unit->cycle(inputs);
+      for (int i = 0; i < kLongEnough; ++i) {
+        bench.unit->cycle(inputs);
+        ASSERT_FALSE(bench.unit->outputs().accumulate_valid) << cycles;
+        ASSERT_FALSE(bench.unit->outputs().busy) << cycles;
+      }
+    }
+  }
+}
 
 TEST(handshake, memory_request_does_not_wait_for_ready) {
   Bench bench;

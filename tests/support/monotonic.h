@@ -10,14 +10,17 @@ namespace feline {
 
 // Found by footprint_bounds_long over all quadruples, rounded outwards.
 inline constexpr RatioBounds kSimpleRatios{1, 1.0222, 0.83917, 1.308352};
-inline constexpr RatioBounds kTableRatios{0.957544, 1.07745, 0.744006, 1.452783};
+inline constexpr RatioBounds kTableRatios{0.957544, 1.07745, 0.744006, 1.455146};
 
 // The most, in octaves, by which the level of detail (before bias and clamps) can fall when all four derivatives are
-// multiplied by the same factor >= 1 (invariant 5). lengthFactor >= 0.9625. Proof, with M >= m the real radii, M' and
-// m' the stored ones, p the largest probe count, R = max(m, one texel, 2/(p + 1) lengthFactor M), which only grows, R'
-// the same of the stored radii:
+// multiplied by the same factor >= 1 (invariant 5). Proof, with M >= m the real radii, M' and m' the stored ones, p the
+// largest probe count, R = max(m, one texel, 2/(p + 1) lengthFactor M), which only grows, R' the same of the stored
+// radii:
 //
-// - R'/R lies within ratios.low() .. ratios.high(): each part of the maximum does.
+// - R'/R lies within ratios.low() .. ratios.high(): each part of the maximum does. Those of the effective radius
+//   were found for lengthFactor 0.9625, the least of the paper's sets, and p = 16; they hold where 2/(p + 1)
+//   lengthFactor is larger. Where it is smaller, R' lies between that part of M' and M' (or is one texel), and M' falls
+//   by no more than the major ratios: R' falls by no more than both together.
 // - plan's fitted radius is at least `least` R' and at most `most` R':
 //   nearest: max(m', w), w = 2M'/(N + 1), N = floor(2M'/m' - 1/2) within 1 .. p: w <= 5/4 m' (at N = 1) unless N = p is
 //   a limit, when w is R' itself.
@@ -44,7 +47,10 @@ inline double fall_bound(const State& state) {
     most = state.blur_factor.value();
     least = std::min({1.0, 2 / (3 * f), most * f, state.inverse_alias_factor.value()});
   }
-  return std::log2(ratios.high() / ratios.low() * most / least) + kRounding;
+  const double least_line = 2.0 / (static_cast<double>(state.max_probes.raw()) + 1) * state.length_factor.value();
+  const double radius = least_line >= kLeastLine * (1 - 1e-12) ? ratios.high() / ratios.low()
+                                                               : ratios.major_high / ratios.major_low / least_line;
+  return std::log2(radius * most / least) + kRounding;
 }
 
 }  // namespace feline

@@ -13,8 +13,9 @@ namespace feline {
 // How far the radii of footprint can be from those of the derivatives that group rounded outward to a quadruple. The
 // derivatives lie anywhere in a box of one unit towards zero in each component; their radii are homogeneous functions:
 // Simple's own with exact components, for Table the singular values of the matrix. An effective radius is
-// max(minor, kLeastLine * major): plan widens the minor radius to 2/(maxProbes + 1) * lengthFactor of the major one.
-inline constexpr double kLeastLine = 2.0 / 17 * 0.9625;
+// max(minor, kLeastLine * major): plan widens the minor radius to 2/(maxProbes + 1) * lengthFactor of the major one,
+// here at the paper's least lengthFactor, 0.9625, as the machine holds it.
+inline constexpr double kLeastLine = 2.0 / 17 * 246 / 256;
 
 struct RatioBounds {
   double major_low = 1, major_high = 1;  // of stored to real, 1 included

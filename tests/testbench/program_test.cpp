@@ -2,12 +2,11 @@
 // The program as a user meets it: exit codes, messages, and no partial file after wrong input.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "testbench/gbuffer.h"
+#include "tests/testbench/run_program.h"
 #include "tests/testbench/temp_dir.h"
 
 namespace feline {
@@ -15,22 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Outcome {
-  int code = -1;
-  std::string text;  // standard output and error
-};
-
 Outcome run(const std::string& arguments, const std::string& before = "") {
-  const std::string command = before + " " FELINE_PROGRAM " " + arguments + " 2>&1";
-  FILE* const pipe = ::popen(command.c_str(), "r");
-  if (pipe == nullptr) throw std::runtime_error("popen failed");
-  Outcome outcome;
-  std::array<char, 4096> buffer{};
-  while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe))
-    outcome.text.append(buffer.data(), count);
-  const int status = ::pclose(pipe);
-  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return outcome;
+  return run_program(FELINE_PROGRAM, arguments, before);
 }
 
 // Wrong input: exit code 2, a message that holds all of `parts`, and nothing new in the directory.
@@ -71,20 +56,92 @@ TEST(program, unknown_use) {
 TEST(program, values_out_of_range) {
   const TempDir dir;
   const std::string output = " --output " + path(dir, "a.png");
-  expect_refused(dir, "render --size 0" + output, {"--size", "0", "1 to 16384"});
+  expect_refused(dir, "render --size 0" + output, {"command line: --size", "0", "1 to 16384"});
   expect_refused(dir, "render --size 16385x4" + output, {"16385x4", "1 to 16384"});
   expect_refused(dir, "render --size 12cats" + output, {"12cats"});
-  expect_refused(dir, "render --max-probes 17 --size 8" + output, {"maxProbes", "17", "1 to 16"});
-  expect_refused(dir, "render --bias nan --size 8" + output, {"level bias", "nan", "-16 to"});
-  expect_refused(dir, "render --alias-factor 3 --size 8" + output, {"aliasFactor", "3", "1 to 2"});
+  expect_refused(dir, "render --max-probes 17 --size 8" + output, {"--max-probes", "17", "1 to 16"});
+  expect_refused(dir, "render --bias nan --size 8" + output, {"--bias", "nan", "-16 to"});
+  expect_refused(dir, "render --alias-factor 3 --size 8" + output, {"--alias-factor", "3", "1 to 2"});
+  expect_refused(dir, "render --length-factor 1e-9 --size 8" + output, {"--length-factor", "1e-9", "0.00390625 to 1"});
+  expect_refused(dir, "render --border 1,2,0,0 --size 8" + output, {"--border", "got 2", "0 to 1"});
+  expect_refused(dir, "render --min-level 5 --max-level 2 --size 8" + output, {"--min-level", "5", "--max-level, 2"});
+  expect_refused(dir, "render --rounding nearest --blur-factor 1.2 --size 8" + output, {"--rounding", "ceiling"});
   expect_refused(dir, "cosim --stalls 1 --size 8", {"--stalls", "1", "0 to 0.95"});
   expect_refused(dir, "cosim --memory-latency 0 --size 8", {"--memory-latency", "0", "1 to"});
   expect_refused(dir, "cosim --size 8 --replay 64", {"--replay", "64", "0 to 63"});
   expect_refused(dir, "cosim --random 0", {"--random"});
-  expect_refused(dir, "cosim --random -5", {"--random"});
-  expect_refused(dir, "cosim --random 5 --texture a.png", {"--texture", "a.png", "--random"});
+  expect_refused(dir, "cosim --random -5", {"--random", "-5", "1 to"});
+  expect_refused(dir, "vectors --random -1 --output " + path(dir, ""), {"--random", "-1", "1 to 1000000"});
+  expect_refused(dir, "cosim --seed 18446744073709551616",
+                 {"--seed", "18446744073709551616", "0 to 18446744073709551615"});
+  expect_refused(dir, "cosim --stalls some", {"--stalls", "some", "0 to 0.95"});
+  expect_refused(dir, "cosim --jobs -1", {"--jobs", "-1", "0 to"});
   expect_refused(dir, "render --size 8 --output " + path(dir, "a.jpg"), {"a.jpg", ".png"});
   expect_refused(dir, "explain --scene bricks --size 8 --pixel 8,0", {"--pixel", "8,0", "7,7"});
+}
+
+TEST(program, choices_that_contradict_each_other) {
+  const TempDir dir;
+  const std::string output = " --output " + path(dir, "a.png");
+  expect_refused(dir, "cosim --random 5 --texture a.png", {"--texture", "a.png", "--random"});
+  expect_refused(dir, "cosim --random 5 --bias 1", {"--bias", "1", "--random"});
+  expect_refused(dir, "cosim --scene bricks --random 5", {"--scene", "bricks", "--random"});
+  expect_refused(dir, "explain --derivatives 1,0,0,1 --scene bricks", {"--scene", "--derivatives"});
+  expect_refused(dir, "explain --derivatives 1,0,0,1 --texture a.png --size 8", {"--size", "--texture"});
+  expect_refused(dir, "explain --pixel 1,1 --position 0,0", {"--position", "--derivatives"});
+  expect_refused(dir, "render --srgb" + output, {"--srgb", "--texture"});
+  expect_refused(dir, "render --gbuffer a.exr --size 8 --texture a.png" + output, {"--size", "--gbuffer"});
+  expect_refused(dir, "render --gbuffer a.exr --scene bricks --texture a.png" + output, {"--scene", "--gbuffer"});
+  expect_refused(dir, "cosim --mode table,table", {"--mode", "table,table", "each once"});
+  expect_refused(dir, "cosim --scene bricks,", {"--scene", "bricks,"});
+  expect_refused(dir, "render --texture ''" + output, {"--texture", "an empty value"});
+  expect_refused(dir, "render --texture=" + output, {"--texture", "an empty value"});
+  expect_refused(dir, "cosim --size 8 --wave /nonexistent/a.fst", {"/nonexistent/a.fst"});
+}
+
+// A texture that repeats has other mip levels than one that does not: a run in a list is what it is alone.
+TEST(program, runs_in_a_list_are_those_alone) {
+  const TempDir dir;
+  ASSERT_EQ(std::system(("oiiotool --pattern noise 64x64 3 -o " + path(dir, "noise.png")).c_str()), 0);
+  const std::string texture = "cosim --scene sphere --size 24 --texture " + path(dir, "noise.png");
+  for (const char* const name : {"list", "alone"}) ASSERT_EQ(::mkdir(path(dir, name).c_str(), 0700), 0);
+  ASSERT_EQ(run(texture + " --wrap repeat,clamp_to_edge --output " + path(dir, "list")).code, 0);
+  ASSERT_EQ(run(texture + " --wrap repeat --output " + path(dir, "alone")).code, 0);
+  const std::string picture = "/sphere-table-bilinear-repeat.png";
+  EXPECT_EQ(read_bytes(dir / ("list" + picture)), read_bytes(dir / ("alone" + picture)));
+}
+
+TEST(program, every_command_tells_json) {
+  const TempDir dir;
+  const auto json = [&](const std::string& arguments) {
+    const Outcome outcome = run(arguments + " --json");
+    EXPECT_EQ(outcome.code, 0) << outcome.text;
+    return nlohmann::json::parse(outcome.text);
+  };
+  const auto explained = json("explain --derivatives 13,0,12,5 --size 256x256");
+  EXPECT_EQ(explained["beats"].front()["stage"], "group");
+  EXPECT_EQ(explained["beats"].front()["fields"]["dudx"]["hex"], "0x68");
+  EXPECT_EQ(explained["beats"].back()["stage"], "accumulate");
+  EXPECT_NEAR(explained["footprints"][0]["minor"].get<double>(), 3.606, 1e-3);
+  const auto scene = json("scene --scene runway --size 20x10 --output " + path(dir, ""));
+  EXPECT_TRUE(fs::exists(scene["gbuffer"].get<std::string>()));
+  EXPECT_TRUE(fs::exists(scene["texture"].get<std::string>()));
+  EXPECT_EQ(json("scene --list").size(), 8U);
+  const auto rendered = json("render --size 8 --map --output " + path(dir, "a.png"));
+  EXPECT_TRUE(fs::exists(rendered["probe_map"].get<std::string>()));
+  EXPECT_EQ(rendered["status"]["overflow"], 0);
+  const auto vectors = json("vectors --stage plan --random 5 --output " + path(dir, ""));
+  EXPECT_EQ(vectors["files"].size(), 3U);
+  EXPECT_EQ(json("tables")["roms"].size(), 6U);
+}
+
+TEST(program, engines_make_the_same_picture) {
+  const TempDir dir;
+  for (const char* const engine : {"model", "rtl"}) {
+    const std::string output = path(dir, engine) + ".png";
+    ASSERT_EQ(run("render --scene window --size 40 --engine " + std::string(engine) + " --output " + output).code, 0);
+  }
+  EXPECT_EQ(read_bytes(dir / "model.png"), read_bytes(dir / "rtl.png"));
 }
 
 TEST(program, images_that_cannot_be_read) {

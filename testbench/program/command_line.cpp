@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "testbench/program/command_line.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "testbench/error.h"
+
+namespace feline {
+namespace {
+
+template <typename Value>
+CLI::Validator range(Value least, Value most) {
+  const std::string legal = fmt::format("{} to {}", least, most);
+  return {[=](std::string& text) {
+            Value value{};
+            const char* const last = text.data() + text.size();
+            const auto [end, error] = std::from_chars(text.data(), last, value);
+            // Written so that NaN fails.
+            const bool holds = error == std::errc{} && end == last && value >= least && value <= most;
+            return holds ? std::string() : fmt::format("got {}, legal is {}", text, legal);
+          },
+          legal};
+}
+
+}  // namespace
+
+CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) { return range(least, most); }
+
+CLI::Validator number(double least, double most) { return range(least, most); }
+
+std::vector<std::string> split_list(const std::string& option, const std::string& text) {
+  std::vector<std::string> parts;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', at), text.size());
+    std::string part = text.substr(at, comma - at);
+    if (part.empty() || std::ranges::find(parts, part) != parts.end()) {
+      bad_input("command line", option, text, "names with a comma between, each once");
+    }
+    parts.push_back(std::move(part));
+    at = comma + 1;
+  }
+  return parts;
+}
+
+std::size_t parse_name(const std::string& option, const std::string& value, std::span<const std::string_view> names) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] == value) return i;
+  }
+  bad_input("command line", option, value, fmt::format("one of {}", fmt::join(names, ", ")));
+}
+
+void refuse_empty(std::span<const std::string> arguments) {
+  for (std::size_t i = 1; i < arguments.size(); ++i) {
+    const std::string& argument = arguments[i];
+    if (argument.empty()) bad_input("command line", arguments[i - 1], "an empty value", "a value");
+    if (argument.starts_with("--") && argument.ends_with("=")) {
+      bad_input("command line", argument.substr(0, argument.size() - 1), "an empty value", "a value");
+    }
+  }
+}
+
+void refuse_given(std::span<const CLI::Option* const> options, std::string_view why) {
+  for (const CLI::Option* option : options) {
+    if (option->count() == 0) continue;
+    bad_input("command line", option->get_name(), fmt::format("{}", fmt::join(option->results(), ",")),
+              fmt::format("nothing {}", why));
+  }
+}
+
+std::string quoted(const std::string& argument) {
+  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./,:=+-";
+  if (!argument.empty() && argument.find_first_not_of(kPlain) == std::string::npos) return argument;
+  std::string safe = "'";
+  for (const char c : argument) safe += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return safe + "'";
+}
+
+std::string repeat_command(std::span<const std::string> arguments, const LeftOut& left_out) {
+  const auto among = [](std::span<const std::string_view> names, std::string_view name) {
+    return std::ranges::find(names, name) != names.end();
+  };
+  std::string command = "feline";
+  for (std::size_t i = 1; i < arguments.size(); ++i) {
+    const std::string_view argument = arguments[i];
+    if (among(left_out.flags, argument)) continue;
+    if (among(left_out.options, argument)) {
+      ++i;
+    } else if (!among(left_out.options, argument.substr(0, argument.find('=')))) {
+      command += " " + quoted(arguments[i]);
+    }
+  }
+  return command;
+}
+
+}  // namespace feline

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace feline {
+
+// Checks of an option's value, whose message is "got VALUE, legal is LEAST to MOST"; --help shows the range.
+CLI::Validator whole_number(std::uint64_t least, std::uint64_t most);
+CLI::Validator number(double least, double most);
+
+// "a,b" to a and b; InputError naming the option for an empty item or one that is there twice.
+std::vector<std::string> split_list(const std::string& option, const std::string& text);
+
+// One of `names`, as its index; InputError naming the option, and all that is legal.
+std::size_t parse_name(const std::string& option, const std::string& value, std::span<const std::string_view> names);
+
+// Throws InputError for an argument that is empty: a script's variable that was never set.
+void refuse_empty(std::span<const std::string> arguments);
+
+// Throws InputError when one of the options was given: "nothing <why>" is legal.
+void refuse_given(std::span<const CLI::Option* const> options, std::string_view why);
+
+// For a shell: as it is, or in quotes.
+std::string quoted(const std::string& argument);
+
+// A command line again without some options and their values; flags have none. The program's name is "feline".
+struct LeftOut {
+  std::span<const std::string_view> options;
+  std::span<const std::string_view> flags;
+};
+std::string repeat_command(std::span<const std::string> arguments, const LeftOut& left_out);
+
+}  // namespace feline

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// The units of feline_broken, the program with one fault in its RTL: FELINE_FAULT is the fault's number.
+#include <cstdlib>
+
+#include "tests/rtl/faulty_unit.h"
+
+namespace feline {
+namespace {
+
+void set_fault_of_environment() {
+  const char* const number = std::getenv("FELINE_FAULT");
+  set_fault(number == nullptr ? 0 : std::atoi(number));
+}
+
+}  // namespace
+
+std::unique_ptr<RtlUnit> make_fast_unit(std::uint64_t seed) {
+  set_fault_of_environment();
+  return make_faulty_unit(seed);
+}
+
+std::unique_ptr<RtlUnit> make_trace_unit(std::uint64_t seed) {
+  set_fault_of_environment();
+  return make_faulty_trace_unit(seed);
+}
+
+}  // namespace feline
