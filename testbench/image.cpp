@@ -70,7 +70,7 @@ MipLevel convert(const MipLevel& from, int from_channels, int to_channels) {
 
 template <typename Value>
 std::vector<std::byte> encode_png(const std::filesystem::path& path, int width, int height, int channels,
-                                  std::span<const Value> pixels, OIIO::TypeDesc type) {
+                                  std::span<const Value> pixels, const OIIO::TypeDesc& type) {
   if (width < 1 || height < 1 || channels < 1 || channels > 4 ||
       pixels.size() !=
           static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(channels)) {

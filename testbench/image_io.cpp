@@ -45,7 +45,7 @@ std::unique_ptr<OIIO::ImageInput> open_image(const std::filesystem::path& path) 
 }
 
 void read_pixels(OIIO::ImageInput& input, const std::filesystem::path& path, int level, int channels,
-                 OIIO::TypeDesc type, void* pixels) {
+                 const OIIO::TypeDesc& type, void* pixels) {
   const bool read = input.read_image(0, level, 0, channels, type, pixels);
   // Truncated JPEG and TIFF files are filled up and reported as read: the errors are pending only.
   const std::string errors = input.geterror();

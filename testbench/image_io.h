@@ -21,7 +21,7 @@ std::unique_ptr<OIIO::ImageInput> open_image(const std::filesystem::path& path);
 // Reads channels [0, channels) of a MIP level of the first subimage, row-major, interleaved,
 // converted to type; colours as stored, not multiplied by alpha. Throws InputError for: pixels.
 void read_pixels(OIIO::ImageInput& input, const std::filesystem::path& path, int level, int channels,
-                 OIIO::TypeDesc type, void* pixels);
+                 const OIIO::TypeDesc& type, void* pixels);
 
 // The bytes of an image file of this kind ("png", "exr"): encoded in memory, so that every write to
 // the disk goes through write_file_atomically, which checks it.

@@ -173,7 +173,7 @@ std::vector<PreparedJob> prepare_jobs(const CosimOptions& options) {
 
 // Runs side by side must not write the same waveform.
 std::filesystem::path wave_of(const CosimOptions& options, const CosimJob& job, bool alone) {
-  const std::filesystem::path wave = options.wave;
+  std::filesystem::path wave = options.wave;
   if (alone) return wave;
   return wave.parent_path() / fmt::format("{}-{}{}", wave.stem().string(), run_name(job), wave.extension().string());
 }

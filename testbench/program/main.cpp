@@ -17,41 +17,29 @@ namespace {
 // Never throws, wherever standard error goes.
 void complain(const std::string& what) { std::fputs(("feline: " + what + "\n").c_str(), stderr); }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(const std::vector<std::string>& arguments, int argc, char** argv) {
   CLI::App program{"Feline: an anisotropic texture unit, its bit-accurate model and their co-simulation."};
   program.require_subcommand(1);
   program.footer(
       "Exit codes: 0 holds, 1 a mismatch or a broken bound, 2 bad use or bad input.\n"
       "Example: feline cosim --scene bricks --mode table --size 256");
   int exit_code = feline::kHolds;
-  // A file beyond the size limit is then a write error like any other, with a message.
-  std::signal(SIGXFSZ, SIG_IGN);
-  const std::vector<std::string> arguments(argv, argv + argc);
   feline::add_tables(program, exit_code);
   feline::add_scene(program, exit_code);
   feline::add_render(program, exit_code, arguments);
   feline::add_explain(program, exit_code);
   feline::add_vectors(program, exit_code);
   feline::add_cosim(program, exit_code, arguments);
+  const auto is_named = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
+  if (argc > 1 && argv[1][0] != '-' && std::ranges::none_of(program.get_subcommands(nullptr), is_named)) {
+    feline::bad_input("command line", "command", argv[1], "tables, scene, render, explain, vectors or cosim");
+  }
+  feline::refuse_empty(arguments);
   try {
-    const auto is_named = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
-    if (argc > 1 && argv[1][0] != '-' && std::ranges::none_of(program.get_subcommands(nullptr), is_named)) {
-      feline::bad_input("command line", "command", argv[1], "tables, scene, render, explain, vectors or cosim");
-    }
-    feline::refuse_empty(arguments);
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return program.exit(error);
     complain(fmt::format("command line: {}; --help tells what is legal", error.what()));
-    return feline::kBadInput;
-  } catch (const feline::InputError& error) {
-    complain(error.what());
-    return feline::kBadInput;
-  } catch (const std::exception& error) {
-    // Out of memory, a stale build: never to be taken for a mismatch.
-    complain(error.what());
     return feline::kBadInput;
   }
   if (std::fflush(stdout) != 0) {
@@ -59,4 +47,19 @@ int main(int argc, char** argv) {
     return feline::kBadInput;
   }
   return exit_code;
+}
+
+}  // namespace
+
+// NOLINTNEXTLINE(bugprone-exception-escape): only where there is no memory to say so
+int main(int argc, char** argv) {
+  // A file beyond the size limit is then a write error like any other, with a message.
+  std::signal(SIGXFSZ, SIG_IGN);
+  try {
+    return run({argv, argv + argc}, argc, argv);
+  } catch (const std::exception& error) {
+    // Bad input, out of memory, a stale build: never to be taken for a mismatch.
+    complain(error.what());
+    return feline::kBadInput;
+  }
 }

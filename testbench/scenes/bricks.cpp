@@ -12,8 +12,8 @@ namespace {
 constexpr int kSize = 1024;
 constexpr int kColumns = 8;
 constexpr int kRows = 16;
-constexpr double kBrickWidth = kSize / kColumns;
-constexpr double kBrickHeight = kSize / kRows;
+constexpr double kBrickWidth = 1.0 * kSize / kColumns;
+constexpr double kBrickHeight = 1.0 * kSize / kRows;
 
 constexpr std::array<Colour, 6> kClay = {{{0.66, 0.29, 0.20},
                                           {0.73, 0.37, 0.24},

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kSize = 512;
 constexpr int kCells = 8;
-constexpr double kCell = kSize / kCells;
+constexpr double kCell = 1.0 * kSize / kCells;
 constexpr Colour kLight = {0.94, 0.92, 0.86};
 constexpr std::array<Colour, 4> kDark = {
     {{0.10, 0.24, 0.38}, {0.12, 0.36, 0.36}, {0.45, 0.16, 0.20}, {0.20, 0.17, 0.30}}};

@@ -47,7 +47,9 @@ std::array<double, 2> cell_errors() {
     for (int column = 0; column < 16; ++column) {
       const auto& entry = oracle::tables().ellipse[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
       for (int i = 0; i <= 256; ++i) {
-        const auto real = oracle::ellipse((row + i / 16 / 16.0) / 16, oracle::cell_angle(column, i % 16 / 15.0));
+        const int along = i / 16;
+        const int across = i % 16;
+        const auto real = oracle::ellipse((row + along / 16.0) / 16, oracle::cell_angle(column, across / 15.0));
         worst[0] = std::max(worst[0], std::abs(static_cast<double>(entry[2]) / 256 - real[2]));
         worst[1] = std::max(worst[1], std::abs(static_cast<double>(entry[3]) / 128 - real[3]));
       }

@@ -34,12 +34,13 @@ struct Window {
 
 // From "  waveform: PATH, cycles 12 to 92".
 Window window_of(const std::string& text) {
-  Window window;
-  const std::size_t at = text.find(", cycles ");
-  if (at != std::string::npos) {
-    std::sscanf(text.c_str() + at, ", cycles %lu to %lu", &window.first, &window.last);
-  }
-  return window;
+  const std::string start = ", cycles ";
+  const std::size_t at = text.find(start);
+  if (at == std::string::npos) return {};
+  std::size_t used = 0;
+  const std::string rest = text.substr(at + start.size());
+  const std::uint64_t first = std::stoull(rest, &used);
+  return {first, std::stoull(rest.substr(used + std::string(" to ").size()))};
 }
 
 // First and last time in the header block of an FST file: big-endian, behind the block's type and length.

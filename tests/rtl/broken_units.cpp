@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The units of feline_broken, the program with one fault in its RTL: FELINE_FAULT is the fault's number.
 #include <cstdlib>
+#include <string>
 
 #include "tests/rtl/faulty_unit.h"
 
@@ -9,7 +10,7 @@ namespace {
 
 void set_fault_of_environment() {
   const char* const number = std::getenv("FELINE_FAULT");
-  set_fault(number == nullptr ? 0 : std::atoi(number));
+  set_fault(number == nullptr ? 0 : std::stoi(number));
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ std::map<std::string, std::vector<Member>> package_structs() {
 }
 
 template <typename Beat>
-class beats : public ::testing::Test {};
+class beats : public ::testing::Test {};  // NOLINT(readability-identifier-naming): the suite's name
 
 using Beats = ::testing::Types<SamplerState<kDefaultConfig>, RequestBeat<kDefaultConfig>, GroupBeat<kDefaultConfig>,
                                FootprintBeat<kDefaultConfig>, PlanBeat<kDefaultConfig>, WalkBeat<kDefaultConfig>,
@@ -58,7 +58,7 @@ using Beats = ::testing::Types<SamplerState<kDefaultConfig>, RequestBeat<kDefaul
                                AccumulateBeat<kDefaultConfig>>;
 struct BeatName {
   template <typename Beat>
-  static std::string GetName(int) {
+  static std::string GetName(int) {  // NOLINT(readability-identifier-naming): as googletest calls it
     return std::string(Beat::kName.view());
   }
 };

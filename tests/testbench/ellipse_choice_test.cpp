@@ -34,9 +34,10 @@ Judgement judge(const Rom& rom, int steps) {
                                      static_cast<double>(e.minor_radius) / 256,
                                      static_cast<double>(e.major_radius) / 128};
     const auto got = outcome(held);
+    const auto row = static_cast<int>(word / 16);
     for (int x = 0; x <= steps; ++x) {
       for (int y = 0; y <= steps; ++y) {
-        const double ratio = (static_cast<double>(word / 16) + static_cast<double>(x) / steps) / 16;
+        const double ratio = (row + static_cast<double>(x) / steps) / 16;
         const double angle = oracle::cell_angle(static_cast<int>(word % 16), static_cast<double>(y) / steps);
         const auto real = oracle::ellipse(ratio, angle);
         const auto want = outcome(real);

@@ -26,7 +26,7 @@ const Names kNames = {"s", "t", "dsdx", "dtdx", "dsdy", "dtdy"};
 // An OpenEXR file of any channels, written by OpenImageIO itself.
 template <typename Value>
 void write_exr(const std::filesystem::path& path, int width, int height, const Names& names,
-               const std::vector<Value>& values, OIIO::TypeDesc stored) {
+               const std::vector<Value>& values, const OIIO::TypeDesc& stored) {
   OIIO::ImageSpec spec(width, height, static_cast<int>(names.size()), stored);
   spec.channelnames = names;
   const auto output = OIIO::ImageOutput::create("exr");

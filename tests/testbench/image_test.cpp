@@ -14,8 +14,10 @@
 
 // OpenImageIO 2.4's PNG reader hands geterror()'s string to libpng, which leaves by longjmp: 31 bytes for each
 // truncated PNG, in its own code.
+// NOLINTBEGIN(bugprone-reserved-identifier, readability-identifier-naming): the name that the sanitizer looks for.
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() { return "leak:ImageInput::geterror"; }
+// NOLINTEND(bugprone-reserved-identifier, readability-identifier-naming)
 
 namespace feline {
 namespace {
