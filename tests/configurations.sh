@@ -6,6 +6,9 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 root=$PWD
+source testbench/build.sh
+source tests/packages.sh
+feline_install_tests
 
 # Every field with its legal range, from tables/config.h.
 ranges() { sed -n 's/^  int \([a-z0-9_]*\) = .*; *\/\/ \([a-z0-9_]*\) \.\. \([0-9]*\)[:,].*/\1 \2 \3/p' tables/config.h; }
