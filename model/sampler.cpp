@@ -96,7 +96,7 @@ SamplerState<kConfig> make_sampler(const SamplerOptions& options, const Texture&
 
   const ProbeParameters& probes = options.probes;
   const double factor_step = 1.0 / static_cast<double>(F::kFactor.one());
-  const double length = checked("length_factor", probes.length_factor, factor_step, 1);
+  const double length = checked("length_factor", probes.length_factor, F::kFactor.value(F::kLeastLengthFactor), 1);
   const double blur = checked("blur_factor", probes.blur_factor, 1, 2 - factor_step);
   const double alias = checked("alias_factor", probes.alias_factor, 1, 2);
   state.probe_rounding = state.probe_rounding.from_raw(static_cast<std::int64_t>(probes.rounding));

@@ -14,7 +14,7 @@ namespace feline {
 // Feline 3.4. exact: the rounding of 3.1, nothing shortened, blurred or aliased.
 struct ProbeParameters {
   ProbeRounding rounding = ProbeRounding::kNearest;
-  double length_factor = 1;  // 0 < f <= 1
+  double length_factor = 1;  // 1/256 .. 1 by the default configuration (Formats::kLeastLengthFactor)
   double blur_factor = 1;    // 1 <= f < 2
   double alias_factor = 1;   // 1 <= f <= 2
 };

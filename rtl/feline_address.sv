@@ -102,34 +102,34 @@ module feline_address (
   logic                  fine_used;
   logic                  coarse_ready;
   logic                  coarse_valid;
-  logic                  coarse_carried;
+  logic                  coarse_sideband;
   logic [LevelWidth-1:0] level_after;
 
   assign level_after = wrapped_q.header.level + 1'b1;
 
-  feline_level_address #(.CarriedWidth($bits(header))) u_fine (
+  feline_level_address #(.SidebandWidth($bits(header))) u_fine (
     .clk_i, .rst_i, .wrap_s_i(wrap_s), .wrap_t_i(wrap_t), .level_base_i(sampler_i.level_base),
     .wrapped_valid_i(wrapped_valid), .wrapped_ready_o(wrapped_ready),
-    .carried_i(wrapped_q.header), .s_i(wrapped_q.s), .t_i(wrapped_q.t), .linear_i(wrapped_q.header.linear),
+    .sideband_i(wrapped_q.header), .s_i(wrapped_q.s), .t_i(wrapped_q.t), .linear_i(wrapped_q.header.linear),
     .used_i(1'b1), .level_i(wrapped_q.header.level), .width_i(wrapped_q.fine_width), .height_i(wrapped_q.fine_height),
-    .lines_valid_o(address_valid_o), .lines_ready_i(address_ready_i), .carried_o(header), .used_o(fine_used),
+    .lines_valid_o(address_valid_o), .lines_ready_i(address_ready_i), .sideband_o(header), .used_o(fine_used),
     .x_o(beat.fine_x), .y_o(beat.fine_y), .border_o(beat.fine_border),
     .fraction_x_o(beat.fine_fraction_x), .fraction_y_o(beat.fine_fraction_y), .line_o(beat.fine_line)
   );
 
-  feline_level_address #(.CarriedWidth(1)) u_coarse (
+  feline_level_address #(.SidebandWidth(1)) u_coarse (
     .clk_i, .rst_i, .wrap_s_i(wrap_s), .wrap_t_i(wrap_t), .level_base_i(sampler_i.level_base),
     .wrapped_valid_i(wrapped_valid), .wrapped_ready_o(coarse_ready),
-    .carried_i(1'b0), .s_i(wrapped_q.s), .t_i(wrapped_q.t), .linear_i(wrapped_q.header.linear),
+    .sideband_i(1'b0), .s_i(wrapped_q.s), .t_i(wrapped_q.t), .linear_i(wrapped_q.header.linear),
     .used_i(wrapped_q.header.level_fraction != '0), .level_i(level_after),
     .width_i(wrapped_q.coarse_width), .height_i(wrapped_q.coarse_height),
-    .lines_valid_o(coarse_valid), .lines_ready_i(address_ready_i), .carried_o(coarse_carried),
+    .lines_valid_o(coarse_valid), .lines_ready_i(address_ready_i), .sideband_o(coarse_sideband),
     .used_o(beat.coarse_used), .x_o(beat.coarse_x), .y_o(beat.coarse_y), .border_o(beat.coarse_border),
     .fraction_x_o(beat.coarse_fraction_x), .fraction_y_o(beat.coarse_fraction_y), .line_o(beat.coarse_line)
   );
 
   logic unused_levels;
-  assign unused_levels = ^{fine_used, coarse_ready, coarse_valid, coarse_carried};
+  assign unused_levels = ^{fine_used, coarse_ready, coarse_valid, coarse_sideband};
 
   assign beat.tag            = header.tag;
   assign beat.status         = header.status;

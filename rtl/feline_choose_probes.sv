@@ -10,21 +10,17 @@
 // Source WRL 99/1, 3.1, 3.4; EXT_texture_filter_anisotropic.
 `default_nettype none
 
-module feline_choose_probes #(
-  parameter int unsigned DividendWidth =
-      feline_pkg::RadiusWidth + feline_pkg::FactorWidth + 1 - feline_pkg::FactorFraction,
-  parameter int unsigned EighthsWidth = $clog2(4 * feline_pkg::MaxProbes + 8)
-) (
+module feline_choose_probes (
   input  wire logic                                   magnified_i,
   input  wire logic [feline_pkg::RadiusWidth-1:0]     major_i,
   input  wire logic [feline_pkg::RadiusWidth-1:0]     minor_i,
-  input  wire logic [DividendWidth-1:0]               dividend_i,
+  input  wire logic [feline_pkg::DividendWidth-1:0]   dividend_i,
   input  wire logic [feline_pkg::ModeWidth-1:0]       mode_i,
   input  wire logic                                   probe_rounding_i,
   input  wire logic [feline_pkg::ProbeCountWidth-1:0] max_probes_i,
   output logic [feline_pkg::ProbeCountWidth-1:0]      probes_o,
   output logic                                        limited_o,
-  output logic [EighthsWidth-1:0]                     eighths_o
+  output logic [feline_pkg::EighthsWidth-1:0]         eighths_o
 );
   localparam int unsigned RadiusWidth     = feline_pkg::RadiusWidth;
   localparam int unsigned ProbeCountWidth = feline_pkg::ProbeCountWidth;
@@ -40,7 +36,7 @@ module feline_choose_probes #(
 
   if (feline_pkg::FeatureExt || AnyFeline) begin : gen_ceiling
     feline_quotient #(
-      .NumeratorWidth  (DividendWidth),
+      .NumeratorWidth  (feline_pkg::DividendWidth),
       .DenominatorWidth(RadiusWidth),
       .QuotientWidth   (WantedWidth)
     ) u_ceiling (
@@ -61,7 +57,7 @@ module feline_choose_probes #(
     feline_quotient #(
       .NumeratorWidth  (RadiusWidth + 3),
       .DenominatorWidth(RadiusWidth),
-      .QuotientWidth   (EighthsWidth)
+      .QuotientWidth   (feline_pkg::EighthsWidth)
     ) u_eighths (
       .numerator_i  ({major_i, 3'b000}),
       .denominator_i(minor_i),
@@ -69,7 +65,7 @@ module feline_choose_probes #(
     );
 
     // floor(fProbes + 1/2) with fProbes = 2 major/minor - 1; major >= minor.
-    assign nearest = WantedWidth'((eighths_o - EighthsWidth'(2)) >> 2);
+    assign nearest = WantedWidth'((eighths_o - feline_pkg::EighthsWidth'(2)) >> 2);
 
     always_comb begin
       wanted = ceiling;

@@ -9,12 +9,10 @@
 // Source WRL 99/1, 3.2.
 `default_nettype none
 
-module feline_choose_weight_row #(
-  parameter int unsigned EighthsWidth = $clog2(4 * feline_pkg::MaxProbes + 8)
-) (
+module feline_choose_weight_row (
   input  wire logic [feline_pkg::ModeWidth-1:0]       mode_i,
   input  wire logic [feline_pkg::ProbeCountWidth-1:0] probes_i,
-  input  wire logic [EighthsWidth-1:0]                eighths_i,
+  input  wire logic [feline_pkg::EighthsWidth-1:0]    eighths_i,
   output logic [feline_pkg::WeightRowWidth-1:0]       weight_row_o
 );
   localparam int unsigned WeightRowWidth  = feline_pkg::WeightRowWidth;
@@ -27,7 +25,7 @@ module feline_choose_weight_row #(
   assign ext = WeightRowWidth'(probes_i) + WeightRowWidth'(feline_pkg::GaussianRows - 1);
 
   if (AnyFeline) begin : gen_feline
-    localparam int unsigned QuartersWidth = EighthsWidth + 1;
+    localparam int unsigned QuartersWidth = feline_pkg::EighthsWidth + 1;
 
     // All of them four too many, as rows of the table are not: row = quarters - 4.
     logic [QuartersWidth-1:0] quarters;

@@ -4,57 +4,55 @@
 // Takes  major_radius, minor_radius U8.7, exponent; the mode, a supported one; the sampler state; what travels along.
 // Gives  major, the radius clamped and shortened, and fitted, the minor radius that fits the count, U8.7; probes;
 //        eighths, floor(8 major/minor), which picks the weight row; what travelled along.
-// Takes three steps: clamp the radii | choose the probes | fit the radius. Each leaf says how it rounds.
+// Timing three registers: clamp the radii | choose the probes | fit the radius. Each leaf says how it rounds.
 // Source WRL 99/1, 3.1, 3.4; EXT_texture_filter_anisotropic (ext).
 `default_nettype none
 
 module feline_count_probes #(
-  parameter int unsigned CarriedWidth = 1,
-  parameter int unsigned EighthsWidth = $clog2(4 * feline_pkg::MaxProbes + 8)
+  parameter int unsigned SidebandWidth = 1
 ) (
   input  wire logic                                        clk_i,
   input  wire logic                                        rst_i,
   input  wire feline_pkg::sampler_t                        sampler_i,
   input  wire logic [feline_pkg::ModeWidth-1:0]            mode_i,
-  input  wire logic                                        radii_valid_i,
-  output logic                                             radii_ready_o,
-  input  wire logic [CarriedWidth-1:0]                     carried_i,
+  input  wire logic                                        footprint_valid_i,
+  output logic                                             footprint_ready_o,
+  input  wire logic [SidebandWidth-1:0]                    sideband_i,
   input  wire logic signed [feline_pkg::ExponentWidth-1:0] exponent_i,
   input  wire logic [feline_pkg::RadiusWidth-1:0]          major_radius_i,
   input  wire logic [feline_pkg::RadiusWidth-1:0]          minor_radius_i,
   output logic                                             count_valid_o,
   input  wire logic                                        count_ready_i,
-  output logic [CarriedWidth-1:0]                          carried_o,
+  output logic [SidebandWidth-1:0]                         sideband_o,
   output logic [feline_pkg::RadiusWidth-1:0]               major_o,
   output logic [feline_pkg::RadiusWidth-1:0]               fitted_o,
   output logic [feline_pkg::ProbeCountWidth-1:0]           probes_o,
-  output logic [EighthsWidth-1:0]                          eighths_o
+  output logic [feline_pkg::EighthsWidth-1:0]              eighths_o
 );
   localparam int unsigned RadiusWidth     = feline_pkg::RadiusWidth;
   localparam int unsigned ProbeCountWidth = feline_pkg::ProbeCountWidth;
-  localparam int unsigned DividendWidth   = RadiusWidth + feline_pkg::FactorWidth + 1 - feline_pkg::FactorFraction;
 
   typedef struct packed {
-    logic [CarriedWidth-1:0]  carried;
-    logic                     magnified;
-    logic [RadiusWidth-1:0]   major;
-    logic [RadiusWidth-1:0]   minor;
-    logic [DividendWidth-1:0] dividend;
+    logic [SidebandWidth-1:0]             sideband;
+    logic                                 magnified;
+    logic [RadiusWidth-1:0]               major;
+    logic [RadiusWidth-1:0]               minor;
+    logic [feline_pkg::DividendWidth-1:0] dividend;
   } radii_t;
   typedef struct packed {
-    logic [CarriedWidth-1:0]    carried;
-    logic [RadiusWidth-1:0]     major;
-    logic [RadiusWidth-1:0]     minor;
-    logic [ProbeCountWidth-1:0] probes;
-    logic                       limited;
-    logic [EighthsWidth-1:0]    eighths;
+    logic [SidebandWidth-1:0]            sideband;
+    logic [RadiusWidth-1:0]              major;
+    logic [RadiusWidth-1:0]              minor;
+    logic [ProbeCountWidth-1:0]          probes;
+    logic                                limited;
+    logic [feline_pkg::EighthsWidth-1:0] eighths;
   } choice_t;
   typedef struct packed {
-    logic [CarriedWidth-1:0]    carried;
-    logic [RadiusWidth-1:0]     major;
-    logic [RadiusWidth-1:0]     fitted;
-    logic [ProbeCountWidth-1:0] probes;
-    logic [EighthsWidth-1:0]    eighths;
+    logic [SidebandWidth-1:0]            sideband;
+    logic [RadiusWidth-1:0]              major;
+    logic [RadiusWidth-1:0]              fitted;
+    logic [ProbeCountWidth-1:0]          probes;
+    logic [feline_pkg::EighthsWidth-1:0] eighths;
   } count_t;
 
   logic unused_sampler;
@@ -66,20 +64,20 @@ module feline_count_probes #(
   logic   radii_valid;
   logic   radii_ready;
 
-  assign radii_d.carried = carried_i;
+  assign radii_d.sideband = sideband_i;
 
   feline_clamp_radii u_clamp_radii (
     .major_radius_i, .minor_radius_i, .exponent_i, .mode_i, .length_factor_i(sampler_i.length_factor),
     .magnified_o(radii_d.magnified), .major_o(radii_d.major), .minor_o(radii_d.minor)
   );
-  feline_probe_dividend #(.DividendWidth(DividendWidth)) u_probe_dividend (
+  feline_probe_dividend u_probe_dividend (
     .major_i(radii_d.major), .minor_i(radii_d.minor), .mode_i, .probe_factor_i(sampler_i.probe_factor),
     .dividend_o(radii_d.dividend)
   );
 
   feline_stream_register #(.Width($bits(radii_d))) u_radii (
     .clk_i, .rst_i,
-    .valid_i(radii_valid_i), .ready_o(radii_ready_o), .data_i(radii_d),
+    .valid_i(footprint_valid_i), .ready_o(footprint_ready_o), .data_i(radii_d),
     .valid_o(radii_valid), .ready_i(radii_ready), .data_o(radii_q)
   );
 
@@ -89,11 +87,11 @@ module feline_count_probes #(
   logic    choice_valid;
   logic    choice_ready;
 
-  assign choice_d.carried = radii_q.carried;
+  assign choice_d.sideband = radii_q.sideband;
   assign choice_d.major   = radii_q.major;
   assign choice_d.minor   = radii_q.minor;
 
-  feline_choose_probes #(.DividendWidth(DividendWidth), .EighthsWidth(EighthsWidth)) u_choose_probes (
+  feline_choose_probes u_choose_probes (
     .magnified_i(radii_q.magnified), .major_i(radii_q.major), .minor_i(radii_q.minor), .dividend_i(radii_q.dividend),
     .mode_i, .probe_rounding_i(sampler_i.probe_rounding), .max_probes_i(sampler_i.max_probes),
     .probes_o(choice_d.probes), .limited_o(choice_d.limited), .eighths_o(choice_d.eighths)
@@ -109,7 +107,7 @@ module feline_count_probes #(
   count_t count_d;
   count_t count_q;
 
-  assign count_d.carried = choice_q.carried;
+  assign count_d.sideband = choice_q.sideband;
   assign count_d.major   = choice_q.major;
   assign count_d.probes  = choice_q.probes;
   assign count_d.eighths = choice_q.eighths;
@@ -126,7 +124,7 @@ module feline_count_probes #(
     .valid_o(count_valid_o), .ready_i(count_ready_i), .data_o(count_q)
   );
 
-  assign carried_o = count_q.carried;
+  assign sideband_o = count_q.sideband;
   assign major_o   = count_q.major;
   assign fitted_o  = count_q.fitted;
   assign probes_o  = count_q.probes;

@@ -12,7 +12,7 @@
 // Source WRL 99/1, 3.2 (lengths, Simple), 3.3 (Table, its rotation corrected: a counter-clockwise turn by 90 degrees
 //        takes (u, v) to (-v, u)); EXT_texture_filter_anisotropic. Where 3.2 chooses a part of the length by b < 3a/8,
 //        the larger part is taken here (model/footprint.h says why).
-// Takes three steps: lengths and products | place in the table | ellipse.
+// Timing three registers: lengths and products | place in the table | ellipse.
 `default_nettype none
 
 module feline_footprint (

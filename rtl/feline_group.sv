@@ -11,7 +11,7 @@
 //        at -64. -128 never occurs: negating a gradient negates its mantissas. Status: coordinate or derivative not
 //        finite; overflow where a clamp saturates a finite coordinate or exponent > 63 saturates.
 // Source McCormack et al., WRL 99/1, 3.2 (group scaling); CS248A lecture 4, steps 2 and 4.
-// Takes two steps: products and their leading ones | align and round.
+// Timing two registers: products and their leading ones | align and round.
 `default_nettype none
 
 module feline_group (

@@ -6,7 +6,8 @@
 // Gives  the half step S19.24 textures.
 // Rounds nearest, ties away from zero, once.
 // Edges  A factor of 0 gives 0. Where it is not 0, exponent <= MaxExponent: the fitted radius is at least its last bit,
-//        and no level of detail is beyond the smallest level's (feline_plan).
+//        which the sampler state's least length_factor sees to, and no level of detail is beyond the smallest level's
+//        (feline_plan).
 // Source WRL 99/1, 3.1.
 `default_nettype none
 

@@ -12,7 +12,7 @@
 `default_nettype none
 
 module feline_level_address #(
-  parameter int unsigned CarriedWidth = 1
+  parameter int unsigned SidebandWidth = 1
 ) (
   input  wire logic                                                clk_i,
   input  wire logic                                                rst_i,
@@ -21,7 +21,7 @@ module feline_level_address #(
   input  wire logic [feline_pkg::Levels*feline_pkg::LineWidth-1:0] level_base_i,
   input  wire logic                                                wrapped_valid_i,
   output logic                                                     wrapped_ready_o,
-  input  wire logic [CarriedWidth-1:0]                             carried_i,
+  input  wire logic [SidebandWidth-1:0]                            sideband_i,
   input  wire logic signed [feline_pkg::PositionFraction+1:0]      s_i,
   input  wire logic signed [feline_pkg::PositionFraction+1:0]      t_i,
   input  wire logic                                                linear_i,
@@ -31,7 +31,7 @@ module feline_level_address #(
   input  wire logic [feline_pkg::SizeWidth-1:0]                    height_i,
   output logic                                                     lines_valid_o,
   input  wire logic                                                lines_ready_i,
-  output logic [CarriedWidth-1:0]                                  carried_o,
+  output logic [SidebandWidth-1:0]                                 sideband_o,
   output logic                                                     used_o,
   output logic [2*feline_pkg::TexelIndexWidth-1:0]                 x_o,
   output logic [2*feline_pkg::TexelIndexWidth-1:0]                 y_o,
@@ -49,7 +49,7 @@ module feline_level_address #(
   localparam int unsigned BaseSlots       = 1 << LevelWidth;
 
   typedef struct packed {
-    logic [CarriedWidth-1:0]           carried;
+    logic [SidebandWidth-1:0]          sideband;
     logic signed [CoordinateWidth-1:0] x;
     logic signed [CoordinateWidth-1:0] y;
     logic                              linear;
@@ -59,7 +59,7 @@ module feline_level_address #(
     logic [LevelWidth-1:0]             level;
   } coordinate_t;
   typedef struct packed {
-    logic [CarriedWidth-1:0]  carried;
+    logic [SidebandWidth-1:0] sideband;
     logic [2*IndexWidth-1:0]  x;
     logic [2*IndexWidth-1:0]  y;
     logic [3:0]               border;
@@ -70,7 +70,7 @@ module feline_level_address #(
     logic [LevelWidth-1:0]    level;
   } texels_t;
   typedef struct packed {
-    logic [CarriedWidth-1:0]  carried;
+    logic [SidebandWidth-1:0] sideband;
     logic                     used;
     logic [2*IndexWidth-1:0]  x;
     logic [2*IndexWidth-1:0]  y;
@@ -86,7 +86,7 @@ module feline_level_address #(
   logic        coordinate_valid;
   logic        coordinate_ready;
 
-  assign coordinate_d.carried = carried_i;
+  assign coordinate_d.sideband = sideband_i;
   assign coordinate_d.linear  = linear_i;
   assign coordinate_d.width   = width_i;
   assign coordinate_d.height  = height_i;
@@ -112,7 +112,7 @@ module feline_level_address #(
   logic    texels_valid;
   logic    texels_ready;
 
-  assign texels_d.carried = coordinate_q.carried;
+  assign texels_d.sideband = coordinate_q.sideband;
   assign texels_d.width   = coordinate_q.width;
   assign texels_d.used    = coordinate_q.used;
   assign texels_d.level   = coordinate_q.level;
@@ -145,7 +145,7 @@ module feline_level_address #(
     .base_i(level_base[texels_q.level*LineWidth +: LineWidth]), .line_o(line)
   );
 
-  assign lines_d.carried    = texels_q.carried;
+  assign lines_d.sideband    = texels_q.sideband;
   assign lines_d.used       = texels_q.used;
   assign lines_d.x          = texels_q.used ? texels_q.x : '0;
   assign lines_d.y          = texels_q.used ? texels_q.y : '0;
@@ -160,7 +160,7 @@ module feline_level_address #(
     .valid_o(lines_valid_o), .ready_i(lines_ready_i), .data_o(lines_q)
   );
 
-  assign carried_o    = lines_q.carried;
+  assign sideband_o    = lines_q.sideband;
   assign used_o       = lines_q.used;
   assign x_o          = lines_q.x;
   assign y_o          = lines_q.y;

@@ -19,8 +19,8 @@
 //        Weight row: fProbes in quarters (a row stands for its middle, a whole row for itself), kept within the four
 //        rows of its probe count. The printed rule, the smaller of fProbes and iProbes, meets the row of one probe less
 //        when 3.4's ceiling rounds up by more than 3/4.
-// Takes five steps: clamp the radii | choose the probes | fit the radius (feline_count_probes) | level and line | half
-//        step (feline_place_probes).
+// Timing five registers: clamp the radii | choose the probes | fit the radius (feline_count_probes) | level and line | half
+//        step (feline_plan_level_step).
 `default_nettype none
 
 module feline_plan (
@@ -34,7 +34,6 @@ module feline_plan (
   input  wire logic                   plan_ready_i,
   output feline_pkg::plan_t           plan_o
 );
-  localparam int unsigned EighthsWidth = $clog2(4 * feline_pkg::MaxProbes + 8);
 
   // What the second half needs of the footprint.
   typedef struct packed {
@@ -46,44 +45,44 @@ module feline_plan (
     logic signed [feline_pkg::VectorWidth-1:0]   major_u;
     logic signed [feline_pkg::VectorWidth-1:0]   major_v;
     logic [feline_pkg::RadiusWidth-1:0]          major_radius;
-  } carried_t;
+  } sideband_t;
 
   logic [feline_pkg::ModeWidth-1:0]       mode;
-  carried_t                               carried_d;
-  carried_t                               carried_q;
+  sideband_t                              sideband_d;
+  sideband_t                              sideband_q;
   logic                                   count_valid;
   logic                                   count_ready;
   logic [feline_pkg::RadiusWidth-1:0]     major;
   logic [feline_pkg::RadiusWidth-1:0]     fitted;
   logic [feline_pkg::ProbeCountWidth-1:0] probes;
-  logic [EighthsWidth-1:0]                eighths;
+  logic [feline_pkg::EighthsWidth-1:0]    eighths;
 
   feline_supported_mode u_supported_mode (.mode_i(sampler_i.mode), .mode_o(mode));
 
-  assign carried_d.tag          = footprint_i.tag;
-  assign carried_d.status       = footprint_i.status;
-  assign carried_d.s            = footprint_i.s;
-  assign carried_d.t            = footprint_i.t;
-  assign carried_d.exponent     = footprint_i.exponent;
-  assign carried_d.major_u      = footprint_i.major_u;
-  assign carried_d.major_v      = footprint_i.major_v;
-  assign carried_d.major_radius = footprint_i.major_radius;
+  assign sideband_d.tag          = footprint_i.tag;
+  assign sideband_d.status       = footprint_i.status;
+  assign sideband_d.s            = footprint_i.s;
+  assign sideband_d.t            = footprint_i.t;
+  assign sideband_d.exponent     = footprint_i.exponent;
+  assign sideband_d.major_u      = footprint_i.major_u;
+  assign sideband_d.major_v      = footprint_i.major_v;
+  assign sideband_d.major_radius = footprint_i.major_radius;
 
-  feline_count_probes #(.CarriedWidth($bits(carried_d)), .EighthsWidth(EighthsWidth)) u_count_probes (
+  feline_count_probes #(.SidebandWidth($bits(sideband_d))) u_count_probes (
     .clk_i, .rst_i, .sampler_i, .mode_i(mode),
-    .radii_valid_i(footprint_valid_i), .radii_ready_o(footprint_ready_o),
-    .carried_i(carried_d), .exponent_i(footprint_i.exponent),
+    .footprint_valid_i, .footprint_ready_o,
+    .sideband_i(sideband_d), .exponent_i(footprint_i.exponent),
     .major_radius_i(footprint_i.major_radius), .minor_radius_i(footprint_i.minor_radius),
     .count_valid_o(count_valid), .count_ready_i(count_ready),
-    .carried_o(carried_q), .major_o(major), .fitted_o(fitted), .probes_o(probes), .eighths_o(eighths)
+    .sideband_o(sideband_q), .major_o(major), .fitted_o(fitted), .probes_o(probes), .eighths_o(eighths)
   );
 
-  feline_place_probes #(.EighthsWidth(EighthsWidth)) u_place_probes (
+  feline_plan_level_step u_level_step (
     .clk_i, .rst_i, .sampler_i, .mode_i(mode),
     .count_valid_i(count_valid), .count_ready_o(count_ready),
-    .tag_i(carried_q.tag), .status_i(carried_q.status), .s_i(carried_q.s), .t_i(carried_q.t),
-    .exponent_i(carried_q.exponent), .major_u_i(carried_q.major_u), .major_v_i(carried_q.major_v),
-    .major_radius_i(carried_q.major_radius), .major_i(major), .fitted_i(fitted), .probes_i(probes),
+    .tag_i(sideband_q.tag), .status_i(sideband_q.status), .s_i(sideband_q.s), .t_i(sideband_q.t),
+    .exponent_i(sideband_q.exponent), .major_u_i(sideband_q.major_u), .major_v_i(sideband_q.major_v),
+    .major_radius_i(sideband_q.major_radius), .major_i(major), .fitted_i(fitted), .probes_i(probes),
     .eighths_i(eighths),
     .plan_valid_o, .plan_ready_i, .plan_o
   );

@@ -10,30 +10,27 @@
 // Source WRL 99/1, 3.4; EXT_texture_filter_anisotropic.
 `default_nettype none
 
-module feline_probe_dividend #(
-  parameter int unsigned DividendWidth =
-      feline_pkg::RadiusWidth + feline_pkg::FactorWidth + 1 - feline_pkg::FactorFraction
-) (
+module feline_probe_dividend (
   input  wire logic [feline_pkg::RadiusWidth-1:0] major_i,
   input  wire logic [feline_pkg::RadiusWidth-1:0] minor_i,
   input  wire logic [feline_pkg::ModeWidth-1:0]   mode_i,
   input  wire logic [feline_pkg::FactorWidth-1:0] probe_factor_i,
-  output logic [DividendWidth-1:0]                dividend_o
+  output logic [feline_pkg::DividendWidth-1:0]    dividend_o
 );
   localparam int unsigned FactorFraction = feline_pkg::FactorFraction;
-  localparam int unsigned ProductWidth   = DividendWidth + FactorFraction;
+  localparam int unsigned ProductWidth   = feline_pkg::DividendWidth + FactorFraction;
   localparam bit          AnyFeline      = feline_pkg::FeatureSimpleFeline || feline_pkg::FeatureTableFeline;
 
-  logic [DividendWidth-1:0] ext;
+  logic [feline_pkg::DividendWidth-1:0] ext;
 
-  assign ext = DividendWidth'(major_i) + DividendWidth'(minor_i) - DividendWidth'(1);
+  assign ext = feline_pkg::DividendWidth'(major_i) + feline_pkg::DividendWidth'(minor_i) - feline_pkg::DividendWidth'(1);
 
   if (AnyFeline) begin : gen_feline
-    logic [ProductWidth-1:0]  product;
-    logic [DividendWidth-1:0] feline;
+    logic [ProductWidth-1:0]              product;
+    logic [feline_pkg::DividendWidth-1:0] feline;
 
     assign product    = ProductWidth'({probe_factor_i, 1'b0}) * ProductWidth'(major_i) - ProductWidth'(1);
-    assign feline     = product[FactorFraction +: DividendWidth];
+    assign feline     = product[FactorFraction +: feline_pkg::DividendWidth];
     assign dividend_o = feline_pkg::FeatureExt && mode_i == feline_pkg::ModeExt ? ext : feline;
 
     logic unused_product;

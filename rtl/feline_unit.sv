@@ -2,8 +2,9 @@
 // The unit: one lookup through the eight stages, group, footprint, plan, walk, address, fetch, filter, accumulate.
 //
 // Takes  requests, in order; the sampler state, which is held still while busy_o; memory lines.
-// Gives  one pixel a request, in order; beside it every stage's boundary for whoever watches: bit k of taken_o says
-//        that stage k's beat is transferred in this cycle. The fingerprint of configuration, formats and beats.
+// Gives  one pixel a request, in order; beside it every stage's boundary for whoever watches: bit k of offered_o says
+//        that stage k's beat is valid, bit k of taken_o that it is transferred in this cycle. The fingerprint of
+//        configuration, formats and beats.
 // Edges  back-pressure anywhere, at any cycle. flush_i, only while not busy_o, forgets the texture's lines. rst_i, at any
 //        cycle, forgets every lookup inside; the memory forgets what was asked of it in the same cycle.
 // Timing one probe a cycle while its lines are in the cache. accumulate_ready_i does not reach request_ready_o within
@@ -29,6 +30,7 @@ module feline_unit (
   output logic                                               accumulate_valid_o,
   input  wire logic                                          accumulate_ready_i,
   output feline_pkg::accumulate_t                            accumulate_o,
+  output logic [7:0]                                         offered_o,
   output logic [7:0]                                         taken_o,
   output feline_pkg::group_t                                 group_o,
   output feline_pkg::footprint_t                             footprint_o,
@@ -116,26 +118,27 @@ module feline_unit (
   );
 
   assign fingerprint_o = feline_pkg::Fingerprint;
-  assign taken_o = {accumulate_valid_o && accumulate_ready_i, filter_valid && filter_ready, fetch_valid && fetch_ready,
-                    address_valid && address_ready, walk_valid && walk_ready, plan_valid && plan_ready,
-                    footprint_valid && footprint_ready, group_valid && group_ready};
+  assign offered_o = {accumulate_valid_o, filter_valid, fetch_valid, address_valid, walk_valid, plan_valid,
+                      footprint_valid, group_valid};
+  assign taken_o   = offered_o & {accumulate_ready_i, filter_ready, fetch_ready, address_ready, walk_ready, plan_ready,
+                                  footprint_ready, group_ready};
 
-  // Lookups inside: requests taken less pixels taken. There are far fewer registers than it can count.
-  localparam int unsigned InsideWidth = 8;
+  // Lookups in flight: requests taken less pixels taken. There are far fewer registers than it can count.
+  localparam int unsigned InFlightWidth = 8;
 
-  logic [InsideWidth-1:0] inside_q;
-  logic                   enters;
-  logic                   leaves;
+  logic [InFlightWidth-1:0] in_flight_q;
+  logic                     enters;
+  logic                     leaves;
 
   assign enters = request_valid_i && request_ready_o;
   assign leaves = accumulate_valid_o && accumulate_ready_i;
-  assign busy_o = inside_q != '0;
+  assign busy_o = in_flight_q != '0;
 
   always_ff @(posedge clk_i) begin
     if (rst_i) begin
-      inside_q <= '0;
+      in_flight_q <= '0;
     end else if (enters != leaves) begin
-      inside_q <= enters ? inside_q + 1'b1 : inside_q - 1'b1;
+      in_flight_q <= enters ? in_flight_q + 1'b1 : in_flight_q - 1'b1;
     end
   end
 endmodule

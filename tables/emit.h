@@ -36,7 +36,7 @@ struct PackageParts {
     std::vector<Member> members;
   };
   std::vector<Beat> beats;
-  int levels, weight_columns, gaussian_rows, tile_log2, saturation_log2;
+  int levels, weight_columns, gaussian_rows, tile_log2, saturation_log2, eighths_width, dividend_width;
 };
 
 template <typename Beat>
@@ -63,6 +63,8 @@ PackageParts package_parts() {
   parts.gaussian_rows = F::kGaussianRows;
   parts.tile_log2 = kTileLog2;
   parts.saturation_log2 = F::kSaturationLog2;
+  parts.eighths_width = F::kEighthsWidth;
+  parts.dividend_width = F::kDividendWidth;
   return parts;
 }
 

@@ -119,6 +119,8 @@ std::string emit_package(const Config& config, const PackageParts& parts, std::u
   out += fmt::format("  localparam int unsigned GaussianRows = {};\n", parts.gaussian_rows);
   out += fmt::format("  localparam int unsigned TileLog2 = {};\n", parts.tile_log2);
   out += fmt::format("  localparam int unsigned SaturationLog2 = {};\n", parts.saturation_log2);
+  out += fmt::format("  localparam int unsigned EighthsWidth = {};\n", parts.eighths_width);
+  out += fmt::format("  localparam int unsigned DividendWidth = {};\n", parts.dividend_width);
   out += "\n  // Widths and fraction bits of the formats.\n";
   for (const Format& format : parts.formats) {
     const std::string name = upper_camel(format.name.view());

@@ -66,6 +66,16 @@ struct Formats : LegalConfig<kConfig> {
   static constexpr Format kTableScale{"table_scale", false, 1, kConfig.entry_bits - 1, "longer vector"};
   static constexpr Format kTableFraction{"table_fraction", false, 0, kConfig.entry_bits, "longer vector"};
   static constexpr Format kFactor{"factor", false, 1, kConfig.factor_bits, "ratio"};
+  // A footprint that is not 0 has a mantissa of at least half the greatest. Shortened, spread over the most probes and
+  // aliased by 2, its radius must not vanish, or its level of detail would have no bound.
+  static constexpr int kLeastMajorLog2 = kMagnitudeBits - 1 + kLengthFraction;
+  static constexpr std::int64_t kLeastLengthFactor =
+      (((std::int64_t{kConfig.max_probes} + 1) << kConfig.factor_bits) + (std::int64_t{1} << kLeastMajorLog2) - 1) >>
+      kLeastMajorLog2;
+  // Inside plan: floor(8 major/minor), saturated where the weight row no longer changes, and twice the major radius
+  // times a factor, without the factor's fraction.
+  static constexpr int kEighthsWidth = bits_for(4 * kConfig.max_probes + 8);
+  static constexpr int kDividendWidth = kRadius.width() + kFactor.width() + 1 - kFactor.fraction_bits;
   static constexpr Format kReciprocal{"reciprocal", false, 1, kConfig.reciprocal_bits, "ratio"};
   static constexpr Format kLineFraction{"line_fraction", false, 1, kConfig.line_bits, "major radius"};
   static constexpr Format kSizeReciprocal{"size_reciprocal", false, 1, kConfig.size_reciprocal_bits, "texture/texel"};

@@ -61,7 +61,8 @@ const Roms& roms() {
 
 EllipseEntry ellipse_entry(const Config& config, std::uint64_t word);
 // Fill a table's worst error. Ellipse: the largest of the four values' errors on a lattice of 33 x 33 points a cell,
-// its edges included, and in the limit at the circle, where it is largest. Weights: over all fProbes that a row serves.
+// its edges included, and in the limit at the circle, where it is largest. Weights: over all fProbes that a row serves,
+// blur and alias factors being 1.
 void judge_ellipse(const Config& config, Rom& rom);
 void judge_weights(const Config& config, Rom& rom);
 

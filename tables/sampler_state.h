@@ -8,8 +8,8 @@ namespace feline {
 
 // What the driver's code prepares once per texture and sampler (model/sampler.h makes and checks it) and the unit holds
 // still while it works. A legal state has: sizes 1 .. 2^max_size_log2; 1 <= levels <= smallest_level + 1;
-// 0 < length_factor <= 1; 1 <= blur_factor < 2; 1/2 <= inverse_alias_factor <= 1; 0 < probe_factor <= 1;
-// 1 <= max_probes; min_level <= max_level. A footprint has minor_radius <= major_radius.
+// kLeastLengthFactor <= length_factor <= 1; 1 <= blur_factor < 2; 1/2 <= inverse_alias_factor <= 1; 0 < probe_factor <=
+// 1; 1 <= max_probes; min_level <= max_level. A footprint has minor_radius <= major_radius.
 template <Config kConfig>
 struct SamplerState {
   using F = Formats<kConfig>;

@@ -57,7 +57,8 @@ Row equal_row(const Config& config, int probes) {
 }
 
 // The row that stands for fProbes in quarters. A row of whole fProbes serves the footprints widened to it; the others
-// serve a quarter, from the middle of which they are taken. One and two probes have nothing to choose.
+// serve a quarter, from the middle of which they are taken, and the first of a probe count also the quarter below,
+// which the ceiling of 3.4 rounds up to that count. One and two probes have nothing to choose.
 Row representative_row(const Config& config, int quarters) {
   const int probes = (quarters + 3) / 4;
   if (probes <= 2) return equal_row(config, probes);
@@ -159,9 +160,10 @@ void judge_weights(const Config& config, Rom& rom) {
     const int probes = is_equal ? row - gaussian_rows + 1 : (quarters + 3) / 4;
     if (uses(probes, column) == 0) continue;
     const double stored = static_cast<double>(rom.words[word]) / one;
+    const int low = quarters % 4 == 1 ? quarters - 1 : quarters;
+    const int high = quarters % 4 == 0 ? quarters : quarters + 1;
     const double error = is_equal || probes <= 2 ? std::abs(stored - 1.0 / probes)
-                                                 : worst_over(config, stored, probes, column, quarters,
-                                                              quarters + (quarters % 4 == 0 ? 0 : 1));
+                                                 : worst_over(config, stored, probes, column, low, high);
     if (error > rom.worst_error) {
       rom.worst_error = error;
       rom.worst_word = word;

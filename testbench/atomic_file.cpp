@@ -5,8 +5,13 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -57,6 +62,10 @@ class Descriptor {
   int fd_;
 };
 
+std::span<const std::byte> bytes_of(std::string_view text) {
+  return std::as_bytes(std::span(text.data(), text.size()));
+}
+
 bool is_special(const fs::path& target) {
   std::error_code ignored;
   const fs::file_status status = fs::status(target, ignored);
@@ -67,7 +76,7 @@ bool is_special(const fs::path& target) {
 fs::path resolve(const fs::path& target) {
   std::error_code error;
   if (!fs::is_symlink(target, error)) return target;
-  const fs::path real = fs::canonical(target, error);
+  const fs::path real = fs::weakly_canonical(target, error);
   return error ? target : real;
 }
 
@@ -78,7 +87,38 @@ fs::path temporary_name(const fs::path& target) {
          fmt::format(".{}.{}-{}{}", target.stem().string(), ::getpid(), counter++, target.extension().string());
 }
 
+// The names of the temporaries that exist, for a signal handler, which may neither lock nor allocate. More than there
+// is room for are not remembered.
+constexpr std::size_t kSlots = 4096;
+std::array<std::atomic<char*>, kSlots> temporaries;
+
+std::size_t remember(const fs::path& path) {
+  char* const name = ::strdup(path.c_str());
+  for (std::size_t slot = 0; slot < kSlots; ++slot) {
+    char* none = nullptr;
+    if (temporaries[slot].compare_exchange_strong(none, name)) return slot;
+  }
+  std::free(name);
+  return kSlots;
+}
+
+void forget(std::size_t slot) {
+  if (slot < kSlots) std::free(temporaries[slot].exchange(nullptr));
+}
+
+extern "C" void remove_temporaries(int signal) {
+  for (auto& name : temporaries) {
+    if (const char* const path = name.load()) ::unlink(path);
+  }
+  ::signal(signal, SIG_DFL);
+  ::raise(signal);
+}
+
 }  // namespace
+
+void remove_temporaries_when_killed() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::signal(signal, remove_temporaries);
+}
 
 AtomicFile::AtomicFile(const fs::path& target)
     : named_(target), target_(resolve(target)), temporary_(temporary_name(target_)) {
@@ -88,12 +128,14 @@ AtomicFile::AtomicFile(const fs::path& target)
   if (is_special(target_)) {
     bad_input(named_.string(), "output", "a device or a pipe", "the path of a regular file");
   }
+  slot_ = remember(temporary_);
   Descriptor(temporary_, O_WRONLY | O_CREAT | O_EXCL, named_).close();
 }
 
 AtomicFile::~AtomicFile() {
   std::error_code ignored;
   if (!committed_) fs::remove(temporary_, ignored);
+  forget(slot_);
 }
 
 void AtomicFile::flush() {
@@ -118,10 +160,10 @@ void AtomicFile::commit() {
 struct OutputFiles::File::Parts {
   explicit Parts(const fs::path& target)
       : temporary(is_special(target) ? nullptr : std::make_unique<AtomicFile>(target)),
-        out(temporary ? temporary->temporary() : target, O_WRONLY, target) {}
+        out(std::in_place, temporary ? temporary->temporary() : target, O_WRONLY, target) {}
 
   std::unique_ptr<AtomicFile> temporary;
-  Descriptor out;
+  std::optional<Descriptor> out;  // none once closed
   std::vector<std::byte> buffer;
 };
 
@@ -132,20 +174,32 @@ void OutputFiles::File::append(std::span<const std::byte> bytes) {
   constexpr std::size_t kBlock = 1 << 20;
   parts_->buffer.insert(parts_->buffer.end(), bytes.begin(), bytes.end());
   if (parts_->buffer.size() < kBlock) return;
-  parts_->out.write(parts_->buffer);
+  parts_->out->write(parts_->buffer);
   parts_->buffer.clear();
 }
 
+void OutputFiles::File::append(std::string_view text) { append(bytes_of(text)); }
+
 void OutputFiles::File::close() {
-  parts_->out.write(parts_->buffer);
-  parts_->buffer.clear();
-  parts_->out.close();
+  if (!parts_->out) return;
+  parts_->out->write(parts_->buffer);
+  parts_->out->close();
+  parts_->out.reset();
+  parts_->buffer = {};
 }
 
 OutputFiles::File& OutputFiles::add(const fs::path& target) {
   files_.push_back(std::unique_ptr<File>(new File(target)));
   return *files_.back();
 }
+
+void OutputFiles::write(const fs::path& target, std::span<const std::byte> bytes) {
+  File& file = add(target);
+  file.append(bytes);
+  file.close();
+}
+
+void OutputFiles::write(const fs::path& target, std::string_view text) { write(target, bytes_of(text)); }
 
 void OutputFiles::commit() {
   for (const auto& file : files_) file->close();
@@ -160,7 +214,8 @@ void OutputFiles::commit() {
 
 void check_writable(const fs::path& target) {
   if (is_special(target)) {
-    Descriptor(target, O_WRONLY, target).close();
+    // Not by opening it: the reader of a pipe would see its end.
+    if (::access(target.c_str(), W_OK) != 0) fail(target, "open", errno);
   } else {
     const AtomicFile probe(target);
   }
@@ -168,12 +223,12 @@ void check_writable(const fs::path& target) {
 
 void write_file_atomically(const fs::path& target, std::span<const std::byte> bytes) {
   OutputFiles one;
-  one.add(target).append(bytes);
+  one.write(target, bytes);
   one.commit();
 }
 
 void write_file_atomically(const fs::path& target, std::string_view text) {
-  write_file_atomically(target, std::as_bytes(std::span(text.data(), text.size())));
+  write_file_atomically(target, bytes_of(text));
 }
 
 }  // namespace feline

@@ -42,11 +42,15 @@ class AtomicFile {
   std::filesystem::path named_;   // as the user wrote it, for messages
   std::filesystem::path target_;  // symbolic links resolved
   std::filesystem::path temporary_;
+  std::size_t slot_ = 0;
   bool committed_ = false;
 };
 
+// From now on a signal that ends the program (SIGINT, SIGTERM, SIGHUP) removes its temporaries first.
+void remove_temporaries_when_killed();
+
 // Several outputs that belong together: all of them are on the disk before the first takes its name,
-// and none does if one fails. A device or a pipe (/dev/full, /dev/stdout) is written in place,
+// and none does if one cannot be written. A device or a pipe (/dev/full, /dev/stdout) is written in place,
 // because renaming over it would replace it. Everything throws InputError naming the file and the
 // system's reason: missing or unwritable directory, disk full, file too large.
 class OutputFiles {
@@ -55,7 +59,7 @@ class OutputFiles {
    public:
     ~File();
     void append(std::span<const std::byte> bytes);
-    void append(std::string_view text) { append(std::as_bytes(std::span(text.data(), text.size()))); }
+    void append(std::string_view text);
 
    private:
     friend class OutputFiles;
@@ -65,8 +69,11 @@ class OutputFiles {
     std::unique_ptr<Parts> parts_;
   };
 
-  // One more output, empty so far; valid as long as this.
+  // One more output, written as it grows; valid as long as this, open until commit.
   File& add(const std::filesystem::path& target);
+  // One more output, all of it. Any number of them: none stays open.
+  void write(const std::filesystem::path& target, std::span<const std::byte> bytes);
+  void write(const std::filesystem::path& target, std::string_view text);
   void commit();
 
  private:

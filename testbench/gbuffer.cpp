@@ -100,7 +100,7 @@ void write_gbuffer(OutputFiles& outputs, const std::filesystem::path& path, cons
   std::ranges::transform(kChannels, spec.channelnames.begin(), &Channel::name);
   spec.attribute("compression", "zip");
   spec.attribute("DateTime", "");  // otherwise the time of writing
-  outputs.add(path).append(encode_image(path, "exr", spec, gbuffer.lookups.data()));
+  outputs.write(path, encode_image(path, "exr", spec, gbuffer.lookups.data()));
 }
 
 }  // namespace feline

@@ -112,7 +112,7 @@ void write_png(const std::filesystem::path& path, int width, int height, int cha
 
 void write_png(OutputFiles& outputs, const std::filesystem::path& path, int width, int height, int channels,
                std::span<const std::uint8_t> pixels) {
-  outputs.add(path).append(encode_png(path, width, height, channels, pixels, OIIO::TypeDesc::UINT8));
+  outputs.write(path, encode_png(path, width, height, channels, pixels, OIIO::TypeDesc::UINT8));
 }
 
 }  // namespace feline

@@ -20,6 +20,10 @@ function(feline_verilated library source optimization)
     set(options TRACE_FST)
   endif()
   add_library(${library} STATIC ${source})
+  if(FELINE_SANITIZE AND UNIT_TRACE_FST)
+    # "fstapi.c:858:22: runtime error: store to misaligned address": in Verilator's copy of GTKWave's writer.
+    target_compile_options(${library} PRIVATE -fno-sanitize=alignment)
+  endif()
   target_include_directories(${library} PRIVATE ${CMAKE_SOURCE_DIR})
   target_link_libraries(${library} PUBLIC feline_tables)
   verilate(${library} ${options} TOP_MODULE feline_bench PREFIX V${library} SOURCES ${UNIT_FILES}

@@ -14,6 +14,9 @@ feline_install_tests
 ranges() { sed -n 's/^  int \([a-z0-9_]*\) = .*; *\/\/ \([a-z0-9_]*\) \.\. \([0-9]*\)[:,].*/\1 \2 \3/p' tables/config.h; }
 features() { sed -n 's/^  bool \([a-z_]*\) = true;.*/\1/p' tables/config.h; }
 
+[[ $(ranges | wc -l) -eq $(grep -c '^  int ' tables/config.h) ]] ||
+  { echo "configurations.sh: a field of tables/config.h does not state its range" >&2; exit 1; }
+
 # NAME=VALUE of each field that differs from the default.
 fields_of() {
   case $1 in

@@ -37,6 +37,8 @@ package feline_pkg;
   localparam int unsigned GaussianRows = 61;
   localparam int unsigned TileLog2 = 2;
   localparam int unsigned SaturationLog2 = 19;
+  localparam int unsigned EighthsWidth = 7;
+  localparam int unsigned DividendWidth = 17;
 
   // Widths and fraction bits of the formats.
   localparam int unsigned TagWidth = 16;  // U16.0, lookup
@@ -285,7 +287,7 @@ package feline_pkg;
   } accumulate_t;
   localparam int unsigned AccumulateBeatWidth = 84;
 
-  localparam logic [63:0] Fingerprint = 64'h6467cd462035a6ef;
+  localparam logic [63:0] Fingerprint = 64'h04679e90272fc681;
 endpackage
 // verilator lint_on UNUSEDPARAM
 

@@ -51,27 +51,35 @@ bool Cosimulation::fail(Stage stage, std::string note) {
   return false;
 }
 
-// What is offered stays until it is taken.
+// What is offered stays until it is taken, at every boundary.
 bool Cosimulation::check_protocol(const RtlUnit::Outputs& outputs, const RtlUnit::Inputs& inputs) {
   if (held_.memory_request_valid &&
       (!outputs.memory_request_valid || outputs.memory_request_line != held_.memory_request_line)) {
     return fail(Stage::kFetch, "a memory request changed or went away before it was taken");
   }
-  if (held_.accumulate_valid) {
-    const auto pixel = unit_->beat(Stage::kAccumulate);
-    if (!outputs.accumulate_valid || !std::ranges::equal(pixel, held_pixel_)) {
-      return fail(Stage::kAccumulate, "a pixel changed or went away before it was taken");
+  for (std::size_t index = 0; index < kStageCount; ++index) {
+    const auto stage = static_cast<Stage>(index);
+    const bool offered = (outputs.offered >> index & 1) != 0;
+    const bool was_held = (held_.offered >> index & 1) != 0;
+    if (!offered && !was_held) continue;
+    const auto beat = unit_->beat(stage);
+    if (was_held && (!offered || !std::ranges::equal(beat, held_beats_[index]))) {
+      return fail(stage, "a beat changed or went away before it was taken");
     }
+    if (!was_held) held_beats_[index].assign(beat.begin(), beat.end());
   }
-  if (outputs.busy != (inside_ != 0)) return fail(Stage::kGroup, "busy_o does not say whether lookups are inside");
+  held_.offered = outputs.offered & ~outputs.taken;
   held_.memory_request_valid = outputs.memory_request_valid && !inputs.memory_request_ready;
   held_.memory_request_line = outputs.memory_request_line;
-  held_.accumulate_valid = outputs.accumulate_valid && !inputs.accumulate_ready;
-  if (held_.accumulate_valid) {
-    const auto pixel = unit_->beat(Stage::kAccumulate);
-    held_pixel_.assign(pixel.begin(), pixel.end());
-  }
   return true;
+}
+
+bool Cosimulation::check_busy(const RtlUnit::Outputs& outputs, std::uint64_t entered) {
+  if (outputs.busy == (inside_ != 0)) return true;
+  // Whoever counts with few bits, and rightly so, counts wrong when lookups get lost: the loss is the fault.
+  constexpr std::uint64_t kMany = 64;
+  if (inside_ > kMany && scoreboard_.blame_stopped(outputs.offered, entered, cycle_)) return false;
+  return fail(Stage::kGroup, "busy_o does not say whether lookups are inside");
 }
 
 // When all pixels are out nothing may follow: no beat, no read, and the unit is not busy.
@@ -109,8 +117,7 @@ bool Cosimulation::run(const Batch& batch, const PixelSink& sink) {
   // Longer than any legal wait: all probes of 8 misses each, with their latency and their stalls.
   const double patience = 2000.0 + kUnit.max_probes * 8 * (timing_.memory_latency + 20) * 8 / (1 - timing_.stalls);
   std::uint64_t last_progress = cycle_;
-  // A unit that takes so many lookups and gives no pixel has lost one.
-  constexpr std::uint64_t kMoreThanRegisters = 64;
+  std::uint64_t last_pixel = cycle_;
 
   while (pixels < batch.lookups.size()) {
     wave_cycle();
@@ -140,12 +147,13 @@ bool Cosimulation::run(const Batch& batch, const PixelSink& sink) {
       holds = scoreboard_.check(stage, got, cycle_);
       last_progress = cycle_;
       if (holds && stage == Stage::kAccumulate) {
+        last_pixel = cycle_;
         if (sink) sink(batch.first_lookup + pixels, unpack<AccumulateBeat<kUnit>>(got));
         ++pixels;
       }
     }
     if (!holds) scoreboard_.blame_plan(unit_->beat(Stage::kPlan), cycle_);
-    holds = holds && check_protocol(outputs, inputs);
+    holds = holds && check_protocol(outputs, inputs) && check_busy(outputs, batch.first_lookup + offered);
     if (outputs.request_ready && offering) {
       offering = false;
       ++offered;
@@ -169,10 +177,9 @@ bool Cosimulation::run(const Batch& batch, const PixelSink& sink) {
       }
       return false;
     }
-    if (static_cast<double>(cycle_ - last_progress) > patience || inside_ > kMoreThanRegisters) {
+    if (static_cast<double>(cycle_ - last_progress) > patience || static_cast<double>(cycle_ - last_pixel) > patience) {
       memory_reads_ += memory.requests();
-      const auto on_pins = [&](Stage stage) { return unit_->beat(stage); };
-      if (!scoreboard_.blame_stopped(on_pins, batch.first_lookup + offered, last_progress)) {
+      if (!scoreboard_.blame_stopped(outputs.offered, batch.first_lookup + offered, last_progress)) {
         fail(Stage::kGroup, "the unit takes no request");
       }
       return false;

@@ -59,6 +59,7 @@ class Cosimulation {
   void reset(const Batch& batch);
   bool drain();
   bool check_protocol(const RtlUnit::Outputs& outputs, const RtlUnit::Inputs& inputs);
+  bool check_busy(const RtlUnit::Outputs& outputs, std::uint64_t entered);
   bool fail(Stage stage, std::string note);
   void wave_cycle();
 
@@ -72,7 +73,7 @@ class Cosimulation {
   std::uint64_t batches_ = 0;
   std::uint64_t inside_ = 0;  // requests taken less pixels taken
   RtlUnit::Outputs held_;     // offered, not yet taken
-  std::vector<std::uint32_t> held_pixel_;
+  std::array<std::vector<std::uint32_t>, kStageCount> held_beats_;
 };
 
 }  // namespace feline

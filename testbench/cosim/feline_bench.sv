@@ -21,6 +21,7 @@ module feline_bench (
   output logic                                               accumulate_valid_o,
   input  wire logic                                          accumulate_ready_i,
   output feline_pkg::accumulate_t                            accumulate_o,
+  output logic [7:0]                                         offered_o,
   output logic [7:0]                                         taken_o,
   output feline_pkg::group_t                                 group_o,
   output feline_pkg::footprint_t                             footprint_o,
@@ -65,7 +66,7 @@ module feline_bench (
     .memory_response_data_i(memory_response_data_q),
     .accumulate_ready_i(accumulate_ready_q),
     .busy_o, .request_ready_o, .memory_request_valid_o, .memory_request_line_o, .memory_response_ready_o,
-    .accumulate_valid_o, .accumulate_o, .taken_o, .group_o, .footprint_o, .plan_o, .walk_o, .address_o, .fetch_o,
+    .accumulate_valid_o, .accumulate_o, .offered_o, .taken_o, .group_o, .footprint_o, .plan_o, .walk_o, .address_o, .fetch_o,
     .filter_o, .fingerprint_o
   );
 endmodule

@@ -126,7 +126,8 @@ T pick(Random& random, const std::vector<T>& from) {
 }
 
 SamplerOptions random_sampler(Random& random, const RandomBatches::Choices& choices) {
-  constexpr double kFactorStep = 1.0 / static_cast<double>(Formats<kUnit>::kFactor.one());
+  constexpr Format kFactor = Formats<kUnit>::kFactor;
+  constexpr double kLeastLength = kFactor.value(Formats<kUnit>::kLeastLengthFactor);
   SamplerOptions options;
   options.mode = pick(random, choices.modes);
   options.kernel = pick(random, choices.kernels);
@@ -137,8 +138,9 @@ SamplerOptions random_sampler(Random& random, const RandomBatches::Choices& choi
     case 0: options.probes = kHighQuality; break;
     case 1: options.probes = kHighEfficiency; break;
     case 2:
-      options.probes = {static_cast<ProbeRounding>(random.below(2)), 0.0625 + 0.9375 * random.unit(),
-                        1 + (1 - kFactorStep) * random.unit(), 1 + random.unit()};
+      options.probes = {static_cast<ProbeRounding>(random.below(2)),
+                        random.below(4) == 0 ? kLeastLength : kLeastLength + (1 - kLeastLength) * random.unit(),
+                        1 + (1 - kFactor.value(1)) * random.unit(), 1 + random.unit()};
       break;
     case 3: options.probes.rounding = ProbeRounding::kCeiling; break;
     default: break;

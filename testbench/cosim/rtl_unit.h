@@ -31,7 +31,8 @@ class RtlUnit {
     bool memory_response_ready = false;
     bool accumulate_valid = false;
     std::uint32_t memory_request_line = 0;
-    std::uint32_t taken = 0;  // bit k: stage k's beat is transferred in this cycle
+    std::uint32_t offered = 0;  // bit k: stage k's beat is valid
+    std::uint32_t taken = 0;    // bit k: it is transferred in this cycle
   };
 
   virtual ~RtlUnit() = default;

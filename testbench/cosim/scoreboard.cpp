@@ -102,18 +102,18 @@ bool Scoreboard::finish(std::uint64_t cycle) {
   return !mismatch_;
 }
 
-bool Scoreboard::blame_stopped(const std::function<std::span<const std::uint32_t>(Stage)>& offered,
-                               std::uint64_t entered, std::uint64_t cycle) {
+bool Scoreboard::blame_stopped(std::uint32_t offered, std::uint64_t entered, std::uint64_t cycle) {
+  const auto offers = [&](std::size_t stage) { return (offered >> stage & 1) != 0; };
   for (std::size_t stage = kStageCount; stage-- > 0;) {
-    if (queues_[stage].empty()) continue;
+    if (queues_[stage].empty() || offers(stage)) continue;
     const BeatQueue::Entry owes = queues_[stage].front();
     bool has_input = owes.lookup < entered;
     if (stage > 0 && !queues_[stage - 1].empty()) {
       const BeatQueue::Entry next = queues_[stage - 1].front();
       // accumulate needs all probes of its lookup: the last one is delivered when filter owes the next lookup.
       const bool per_probe = static_cast<Stage>(stage) > Stage::kWalk && static_cast<Stage>(stage) < Stage::kAccumulate;
-      has_input = next.lookup > owes.lookup || (per_probe && next.lookup == owes.lookup && next.probe > owes.probe) ||
-                  std::ranges::equal(next.words, offered(static_cast<Stage>(stage - 1)));
+      has_input = offers(stage - 1) || next.lookup > owes.lookup ||
+                  (per_probe && next.lookup == owes.lookup && next.probe > owes.probe);
     }
     if (has_input) return owed(stage, cycle);
   }

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -67,11 +66,10 @@ class Scoreboard {
   void blame_plan(std::span<const std::uint32_t> offered, std::uint64_t cycle);
   // At the end nothing may be owed.
   bool finish(std::uint64_t cycle);
-  // The unit has stopped: names the stage that holds everything up, which is the last one that owes a beat though what
-  // the beat is made of was delivered to it, or is offered to it. `offered` gives a stage's beat as it is on its pins;
-  // lookups below `entered` were taken. False if there is none: then the unit takes no request.
-  bool blame_stopped(const std::function<std::span<const std::uint32_t>(Stage)>& offered, std::uint64_t entered,
-                     std::uint64_t cycle);
+  // The unit has stopped: names the stage that holds everything up, which is the last one that owes a beat and does not
+  // offer it, though what the beat is made of was delivered to it, or is offered to it. Bit k of `offered`: stage k's
+  // beat is valid; lookups below `entered` were taken. False if there is none: then the unit takes no request.
+  bool blame_stopped(std::uint32_t offered, std::uint64_t entered, std::uint64_t cycle);
   // The lookup whose beat a stage gave last, or would give next: where a beat out of turn belongs.
   std::uint64_t nearest_lookup(Stage stage) const;
 

@@ -86,6 +86,7 @@ class VerilatedUnit : public RtlUnit {
             unit_->memory_response_ready_o != 0,
             unit_->accumulate_valid_o != 0,
             unit_->memory_request_line_o,
+            unit_->offered_o,
             unit_->taken_o};
   }
 

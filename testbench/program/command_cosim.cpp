@@ -94,7 +94,9 @@ PreparedJob random_job(const CosimOptions& options) {
   PreparedJob prepared;
   CosimJob& job = prepared.job;
   job.scene = "random";
-  job.mode = job.kernel = job.wrap = "random";
+  job.mode = options.sampler.modes_of_random();
+  job.kernel = options.sampler.kernels_of_random();
+  job.wrap = options.sampler.wraps_of_random();
   job.timing = options.timing;
   job.command = options.command_line;
   job.lookups = *options.random;
@@ -132,8 +134,8 @@ void write_outputs(const CosimOptions& options, const std::vector<PreparedJob>& 
     write_probe_map(outputs, probes, picture);
     written += colours.string() + "\n" + probes.string() + "\n";
   }
-  outputs.add(directory / "summary.txt").append(to_text(summary));
-  outputs.add(directory / "summary.json").append(to_json(summary).dump(1) + "\n");
+  outputs.write(directory / "summary.txt", to_text(summary));
+  outputs.write(directory / "summary.json", to_json(summary).dump(1) + "\n");
   outputs.commit();
   // Standard output is the JSON's alone.
   fmt::print(options.json ? stderr : stdout, "{}{}\n", written, (directory / "summary.json").string());
@@ -180,9 +182,9 @@ std::filesystem::path wave_of(const CosimOptions& options, const CosimJob& job, 
 
 std::vector<CosimResult> run_all(const CosimOptions& options, const std::vector<PreparedJob>& jobs) {
   std::uint64_t lookups = 0;
-  for (const auto& prepared : jobs) lookups += prepared.job.lookups;
-  Progress progress("co-simulating", lookups);
   const auto replay = parse_replay(options.replay, jobs.front().job.lookups);
+  for (const auto& prepared : jobs) lookups += replay ? replay->last - replay->first + 1 : prepared.job.lookups;
+  Progress progress("co-simulating", lookups);
   std::vector<CosimResult> results(jobs.size());
   std::atomic<std::size_t> next{0};
   std::mutex mutex;
@@ -215,7 +217,7 @@ int run_cosim(const CosimOptions& options) {
     }
     check_writable(std::filesystem::path(options.output) / "summary.json");
   }
-  if (options.wave_option->count() != 0) check_writable(options.wave);
+  if (options.wave_option->count() != 0 && !options.no_wave) check_writable(options.wave);
   const auto jobs = prepare_jobs(options);
   auto results = run_all(options, jobs);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

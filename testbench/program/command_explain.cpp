@@ -92,14 +92,17 @@ void add_explain(CLI::App& program, int& exit_code) {
       ->add_option("--derivatives", options->derivatives,
                    "du/dx,dv/dx,du/dy,dv/dy in texels a pixel; --size is then the texture's")
       ->delimiter(',')
-      ->expected(4);
+      ->expected(4)
+      ->check(float32());
   options->position_option =
       command->add_option("--position", options->position, "s,t of the lookup, with --derivatives")
           ->delimiter(',')
-          ->expected(2);
+          ->expected(2)
+          ->check(float32());
   command->add_option("--pixel", options->pixel, "X,Y in a scene or G-buffer")
       ->delimiter(',')
       ->expected(2)
+      ->check(whole_number(0, kMaxImageSize - 1))
       ->excludes("--derivatives");
   options->subject.add_to(*command, true);
   options->sampler.add_to(*command, false);

@@ -32,6 +32,17 @@ CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) { return ra
 
 CLI::Validator number(double least, double most) { return range(least, most); }
 
+CLI::Validator float32() {
+  return {[](std::string& text) {
+            float value{};
+            const char* const last = text.data() + text.size();
+            const auto [end, error] = std::from_chars(text.data(), last, value);
+            const bool holds = error == std::errc{} && end == last;
+            return holds ? std::string() : fmt::format("got {}, legal is a float32 number, inf or nan", text);
+          },
+          "float32"};
+}
+
 std::vector<std::string> split_list(const std::string& option, const std::string& text) {
   std::vector<std::string> parts;
   for (std::size_t at = 0; at <= text.size();) {
@@ -83,7 +94,7 @@ std::string repeat_command(std::span<const std::string> arguments, const LeftOut
   const auto among = [](std::span<const std::string_view> names, std::string_view name) {
     return std::ranges::find(names, name) != names.end();
   };
-  std::string command = "feline";
+  std::string command = quoted(arguments.front());
   for (std::size_t i = 1; i < arguments.size(); ++i) {
     const std::string_view argument = arguments[i];
     if (among(left_out.flags, argument)) continue;

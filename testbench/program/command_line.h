@@ -13,6 +13,8 @@ namespace feline {
 // Checks of an option's value, whose message is "got VALUE, legal is LEAST to MOST"; --help shows the range.
 CLI::Validator whole_number(std::uint64_t least, std::uint64_t most);
 CLI::Validator number(double least, double most);
+// The same for a float32 of any class: a number, inf or nan.
+CLI::Validator float32();
 
 // "a,b" to a and b; InputError naming the option for an empty item or one that is there twice.
 std::vector<std::string> split_list(const std::string& option, const std::string& text);
@@ -29,7 +31,7 @@ void refuse_given(std::span<const CLI::Option* const> options, std::string_view 
 // For a shell: as it is, or in quotes.
 std::string quoted(const std::string& argument);
 
-// A command line again without some options and their values; flags have none. The program's name is "feline".
+// A command line again, the program as it was called, without some options and their values; flags have none.
 struct LeftOut {
   std::span<const std::string_view> options;
   std::span<const std::string_view> flags;

@@ -107,8 +107,9 @@ void add_render(CLI::App& program, int& exit_code, const std::vector<std::string
   constexpr std::array<std::string_view, 2> kOptions{"--engine", "--output"};
   constexpr std::array<std::string_view, 2> kFlags{"--map", "--json"};
   if (arguments.size() > 1) {
-    const std::string rest = repeat_command(std::span(arguments).subspan(1), {kOptions, kFlags});
-    options->cosim_command = "feline cosim" + rest.substr(std::string_view("feline").size());
+    std::vector<std::string> as_cosim = arguments;
+    as_cosim[1] = "cosim";
+    options->cosim_command = repeat_command(as_cosim, {kOptions, kFlags});
   }
   CLI::App* command = program.add_subcommand("render", "makes a picture of a G-buffer and a texture");
   command->footer("Example: feline render --scene window --mode table --size 512 --output window.png --map");

@@ -72,7 +72,7 @@ int run_tables(const TablesOptions& options) {
     }
     OutputFiles outputs;
     for (const GeneratedFile& file : generate<kDefaultConfig>(measured)) {
-      outputs.add(directory / file.name).append(file.text);
+      outputs.write(directory / file.name, file.text);
     }
     write_heat_map(outputs, directory / "ellipse.png", measured.ellipse);
     outputs.commit();

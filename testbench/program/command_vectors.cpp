@@ -14,6 +14,7 @@
 #include "testbench/program/commands.h"
 #include "testbench/program/subject.h"
 #include "testbench/progress.h"
+#include "testbench/scenes/scene.h"
 
 namespace feline {
 namespace {
@@ -24,15 +25,16 @@ struct VectorsOptions {
   std::string stage = "unit";
   std::optional<std::uint64_t> random;
   std::uint64_t seed = 1;
+  const CLI::Option* seed_option = nullptr;
   std::string output = ".";
   bool json = false;
 };
 
 // Comments that a reader of the file needs; $readmemh skips them.
 template <typename Beat>
-std::string header(std::uint64_t seed) {
-  std::string text = fmt::format("// {} beats, {} bits, highest first; fingerprint {:016x}, seed {}\n//",
-                                 Beat::kName.view(), beat_width<Beat>(), fingerprint<kUnit>(), seed);
+std::string header(const std::string& source) {
+  std::string text = fmt::format("// {} beats, {} bits, highest first; fingerprint {:016x}, {}\n//", Beat::kName.view(),
+                                 beat_width<Beat>(), fingerprint<kUnit>(), source);
   for_each_shape<Beat>([&](Name name, const Format& format, int count, bool is_array) {
     text += fmt::format(" {}{}:{}", name.view(), is_array ? fmt::format("[{}]", count) : "", notation(format));
   });
@@ -57,8 +59,8 @@ std::string packed_line(const Beat& beat) {
 // The files of a run, those that are wanted: NAME.hex of each boundary, beat by beat as they come.
 class VectorFiles {
  public:
-  VectorFiles(std::filesystem::path directory, std::vector<std::string> wanted, std::uint64_t seed)
-      : directory_(std::move(directory)), wanted_(std::move(wanted)), seed_(seed) {}
+  VectorFiles(std::filesystem::path directory, std::vector<std::string> wanted, std::string source)
+      : directory_(std::move(directory)), wanted_(std::move(wanted)), source_(std::move(source)) {}
 
   template <typename Beat>
   void append(const Beat& beat) {
@@ -66,7 +68,7 @@ class VectorFiles {
     if (!wants(name)) return;
     const bool is_new = !files_.contains(name);
     OutputFiles::File& file = open(name);
-    if (is_new) file.append(header<Beat>(seed_));
+    if (is_new) file.append(header<Beat>(source_));
     file.append(packed_line(beat));
   }
 
@@ -102,7 +104,7 @@ class VectorFiles {
 
   std::filesystem::path directory_;
   std::vector<std::string> wanted_;  // none: all
-  std::uint64_t seed_;
+  std::string source_;               // of the lookups: a seed or a scene
   OutputFiles outputs_;
   std::map<std::string, OutputFiles::File*> files_;
 };
@@ -129,6 +131,10 @@ std::vector<std::string> wanted_files(const std::string& stage) {
   return wanted;
 }
 
+std::string scene_of(const VectorsOptions& options) {
+  return options.subject.scene.empty() ? std::string(scenes().front().name) : options.subject.scene;
+}
+
 int run_vectors(const VectorsOptions& options) {
   const std::vector<std::string> wanted = wanted_files(options.stage);
   const std::filesystem::path directory = options.output;
@@ -136,7 +142,10 @@ int run_vectors(const VectorsOptions& options) {
     bad_input(options.output, "--output", "no directory", "a directory that exists");
   }
   check_writable(directory / "sampler.hex");
-  VectorFiles files(directory, wanted, options.seed);
+  const std::string source = options.random                    ? fmt::format("seed {}", options.seed)
+                             : options.subject.gbuffer.empty() ? "scene " + scene_of(options)
+                                                               : options.subject.gbuffer;
+  VectorFiles files(directory, wanted, source);
   if (options.random) {
     options.subject.check_random();
     // One sampler and texture: a simulator without a driver loads its state once.
@@ -144,6 +153,7 @@ int run_vectors(const VectorsOptions& options) {
     batches.set_choices(options.sampler.random_choices());
     append_batch(files, batches.make(0, *options.random));
   } else {
+    refuse_given(std::array{options.seed_option}, "without --random");
     const SamplerOptions choice = options.sampler.one();
     const Subject subject = options.subject.load(mip_edge(choice));
     const auto sampler = prepare_sampler(choice, subject.texture, subject.memory);
@@ -174,9 +184,9 @@ void add_vectors(CLI::App& program, int& exit_code) {
       ->add_option("--random", options->random,
                    "so many random and directed lookups under a random sampler, instead of a scene")
       ->check(whole_number(1, 1000000));
-  command->add_option("--seed", options->seed, "of the random lookups")
-      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
-      ->capture_default_str();
+  options->seed_option = command->add_option("--seed", options->seed, "of the random lookups")
+                             ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
+                             ->capture_default_str();
   command->add_option("--output", options->output, "directory for the files")->capture_default_str();
   command->add_flag("--json", options->json, "tell what was written as JSON");
   options->subject.add_to(*command, true);

@@ -57,12 +57,12 @@ bool CosimSummary::holds() const {
 }
 
 std::string to_text(const CosimSummary& summary) {
-  std::string out = fmt::format("{:<14}{:<11}{:<10}{:<17}{:>10}{:>12}{:>8}{:>12}{:>8}{:>12}\n", "scene", "mode",
+  std::string out = fmt::format("{:<14} {:<10} {:<9} {:<16}{:>10}{:>12}{:>8}{:>12}{:>8}{:>12}\n", "scene", "mode",
                                 "kernel", "wrap", "lookups", "probes", "a pixel", "cycles", "a probe", "mismatches");
   for (const auto& [job, result] : summary.runs) {
     const double lookups = static_cast<double>(std::max<std::uint64_t>(result->lookups, 1));
     const double probes = static_cast<double>(std::max<std::uint64_t>(result->probes, 1));
-    out += fmt::format("{:<14}{:<11}{:<10}{:<17}{:>10}{:>12}{:>8.2f}{:>12}{:>8.2f}{:>12}\n", job->scene, job->mode,
+    out += fmt::format("{:<14} {:<10} {:<9} {:<16}{:>10}{:>12}{:>8.2f}{:>12}{:>8.2f}{:>12}\n", job->scene, job->mode,
                        job->kernel, job->wrap, result->lookups, result->probes,
                        static_cast<double>(result->probes) / lookups, result->cycles,
                        static_cast<double>(result->cycles) / probes, result->mismatches);

@@ -15,8 +15,11 @@ namespace {
 
 constexpr double kDegrees = 57.29577951308232;
 
-// The ellipse of the two gradients, in double precision: Feline 2.1 and 3.1; probes without the limit, level with it.
-PlannedEllipse ideal_ellipse(const Lookup& lookup, double width, double height, int max_probes) {
+// The ellipse of the two gradients, in double precision: Feline 2.1 and 3.1; probes without the limit, level with it,
+// biased and clamped as the modes' are.
+PlannedEllipse ideal_ellipse(const Lookup& lookup, const Texture& texture, const SamplerOptions& options) {
+  const double width = texture.levels.front().width;
+  const double height = texture.levels.front().height;
   const double dudx = lookup.dsdx * width;
   const double dvdx = lookup.dtdx * height;
   const double dudy = lookup.dsdy * width;
@@ -33,7 +36,9 @@ PlannedEllipse ideal_ellipse(const Lookup& lookup, double width, double height, 
   const double major = std::max(ideal.major, 1.0);
   const double minor = std::max(ideal.minor, 1.0);
   ideal.probes = std::floor(2 * major / minor - 1 + 0.5);
-  ideal.level = std::log2(std::max(minor, 2 * major / (max_probes + 1)));
+  const double base = std::log2(std::max(minor, 2 * major / (options.max_probes + 1)));
+  const double last = static_cast<double>(texture.levels.size()) - 1;
+  ideal.level = std::min(std::clamp(base + options.level_bias, options.min_level, options.max_level), last);
   return ideal;
 }
 
@@ -57,11 +62,17 @@ PlannedEllipse mode_ellipse(Mode mode, const Lookup& lookup, const Subject& text
 // How far `got` is off, in percent of `want`, or a dash where that says nothing.
 std::string percent(double got, double want) {
   const double off = 100 * (got / want - 1);
-  return std::isfinite(off) ? fmt::format("{:.2f}%", off) : "-";
+  return std::isfinite(off) && std::isfinite(want) ? fmt::format("{:.2f}%", off) : "-";
 }
 
 std::string texels(double radius) {
+  if (!std::isfinite(radius)) return "no bound";
   return radius < 1e7 ? fmt::format("{:.3f}", radius) : fmt::format("{:.4e}", radius);
+}
+
+// A dash where a number says nothing.
+std::string or_dash(double value, int digits) {
+  return std::isfinite(value) ? fmt::format("{:.{}f}", value, digits) : "-";
 }
 
 struct Operand {
@@ -87,8 +98,7 @@ Explanation explain(const Lookup& lookup, const Subject& texture, const SamplerO
                              explanation.beats.push_back({std::string(Beat::kName.view()), field_values(beat)});
                            }
                          });
-  const MipLevel& base = texture.texture.levels.front();
-  explanation.ideal = ideal_ellipse(lookup, base.width, base.height, options.max_probes);
+  explanation.ideal = ideal_ellipse(lookup, texture.texture, options);
   for (const Mode mode : {Mode::kTrilinear, Mode::kExt, Mode::kSimple, Mode::kTable}) {
     explanation.modes.push_back(mode_ellipse(mode, lookup, texture, options));
   }
@@ -113,12 +123,13 @@ std::string to_text(const Explanation& explanation) {
   const PlannedEllipse& ideal = explanation.ideal;
   out += fmt::format("\n{:<10} {:>14} {:>9} {:>14} {:>9} {:>10} {:>8} {:>8}\n", "footprint", "major, texels", "error",
                      "minor, texels", "error", "degrees", "probes", "level");
-  out += fmt::format("{:<10} {:>14} {:>9} {:>14} {:>9} {:>10.2f} {:>8} {:>8.3f}\n", ideal.name, texels(ideal.major), "",
-                     texels(ideal.minor), "", ideal.degrees, ideal.probes, ideal.level);
+  out += fmt::format("{:<10} {:>14} {:>9} {:>14} {:>9} {:>10} {:>8} {:>8}\n", ideal.name, texels(ideal.major), "",
+                     texels(ideal.minor), "", or_dash(ideal.degrees, 2), or_dash(ideal.probes, 0),
+                     or_dash(ideal.level, 3));
   for (const PlannedEllipse& mode : explanation.modes) {
-    out += fmt::format("{:<10} {:>14} {:>9} {:>14} {:>9} {:>10.2f} {:>8} {:>8.3f}\n", mode.name, texels(mode.major),
+    out += fmt::format("{:<10} {:>14} {:>9} {:>14} {:>9} {:>10} {:>8} {:>8}\n", mode.name, texels(mode.major),
                        percent(mode.major, ideal.major), texels(mode.minor), percent(mode.minor, ideal.minor),
-                       mode.degrees, mode.probes, mode.level);
+                       or_dash(mode.degrees, 2), or_dash(mode.probes, 0), or_dash(mode.level, 3));
   }
   return out;
 }

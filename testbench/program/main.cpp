@@ -7,7 +7,10 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <iostream>
+#include <system_error>
 
+#include "testbench/atomic_file.h"
 #include "testbench/error.h"
 #include "testbench/program/command_line.h"
 #include "testbench/program/commands.h"
@@ -35,10 +38,20 @@ int run(const std::vector<std::string>& arguments, int argc, char** argv) {
     feline::bad_input("command line", "command", argv[1], "tables, scene, render, explain, vectors or cosim");
   }
   feline::refuse_empty(arguments);
+  feline::remove_temporaries_when_killed();
   try {
     program.parse(argc, argv);
+  } catch (const std::system_error& error) {
+    // Of what is written here only standard output goes through a library that throws this.
+    complain(fmt::format("standard output: {}", error.what()));
+    return feline::kBadInput;
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return program.exit(error);
+    if (error.get_exit_code() == 0) {
+      program.exit(error);
+      if (std::cout.flush()) return feline::kHolds;
+      complain("standard output: could not be written");
+      return feline::kBadInput;
+    }
     complain(fmt::format("command line: {}; --help tells what is legal", error.what()));
     return feline::kBadInput;
   }

@@ -62,14 +62,13 @@ void SubjectOptions::add_to(CLI::App& command, bool with_scene) {
   view_.push_back(
       command.add_flag("--allow-non-finite", allow_non_finite, "take a G-buffer with NaN or infinity in it"));
   const CLI::Option* const file = command.add_option("--texture", texture, "image or .tx file, instead of the scene's");
-  const CLI::Option* const filter =
-      command.add_option("--mip-filter", mip_filter, "makes a texture's mip levels: lanczos (radius 3) or box")
-          ->capture_default_str();
+  filter_ = command.add_option("--mip-filter", mip_filter, "makes a texture's mip levels: lanczos (radius 3) or box")
+                ->capture_default_str();
   texture_parts_ = {
       command.add_option("--texture-format", format, "r8, rg8 or rgba8, instead of what the file's channels say"),
       command.add_flag("--srgb", srgb, "the texture file's colours are sRGB encoded")};
   options_ = view_;
-  options_.insert(options_.end(), {size_, file, filter});
+  options_.insert(options_.end(), {size_, file, filter_});
   options_.insert(options_.end(), texture_parts_.begin(), texture_parts_.end());
 }
 
@@ -88,6 +87,7 @@ void SubjectOptions::check_texture_only() const {
   refuse_given(view_, "together with --derivatives");
   if (texture.empty()) {
     refuse_given(texture_parts_, "without --texture");
+    refuse_given(std::array{filter_}, "without --texture");
   } else {
     refuse_given(std::array{size_}, "together with --texture, which has its own");
   }
@@ -136,7 +136,8 @@ void SamplerChoice::add_to(CLI::App& command, bool lists) {
   mode_ = add("--mode", modes, kModeNames);
   kernel_ = add("--kernel", kernels, kKernelNames);
   wrap_ = add("--wrap", wraps, kWrapNames);
-  constexpr double kFactorStep = 1.0 / static_cast<double>(Formats<kDefaultConfig>::kFactor.one());
+  using F = Formats<kDefaultConfig>;
+  constexpr double kFactorStep = F::kFactor.value(1);
   others_ = {
       command.add_option("--wrap-t", wrap_t, "another wrap mode along t"),
       command.add_option("--magnify", magnify, "nearest or linear; nearest is the default of mode nearest only"),
@@ -144,7 +145,8 @@ void SamplerChoice::add_to(CLI::App& command, bool lists) {
           ->capture_default_str(),
       command.add_option("--rounding", rounding,
                          "of the probe count: nearest (Feline 3.1) or ceiling (3.4), instead of the parameters' own"),
-      command.add_option("--length-factor", length_factor, "shortens the ellipse")->check(number(kFactorStep, 1)),
+      command.add_option("--length-factor", length_factor, "shortens the ellipse")
+          ->check(number(F::kFactor.value(F::kLeastLengthFactor), 1)),
       command.add_option("--blur-factor", blur_factor, "widens it at most so much: rounding is then ceiling")
           ->check(number(1, 2 - kFactorStep)),
       command.add_option("--alias-factor", alias_factor, "spreads probes at most so much: rounding is then ceiling")

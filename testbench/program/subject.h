@@ -47,6 +47,7 @@ struct SubjectOptions {
 
  private:
   const CLI::Option* size_ = nullptr;
+  const CLI::Option* filter_ = nullptr;
   std::vector<const CLI::Option*> view_;           // of the lookups
   std::vector<const CLI::Option*> texture_parts_;  // of the texture: nothing without --texture
   std::vector<const CLI::Option*> options_;        // all of them
@@ -82,6 +83,9 @@ struct SamplerChoice {
   // For random samplers: of modes, kernels and wraps what was asked for, and of what was not, everything. Throws
   // InputError when anything else was chosen.
   RandomBatches::Choices random_choices() const;
+  std::string modes_of_random() const { return mode_->count() != 0 ? modes : "random"; }
+  std::string kernels_of_random() const { return kernel_->count() != 0 ? kernels : "random"; }
+  std::string wraps_of_random() const { return wrap_->count() != 0 ? wraps : "random"; }
 
  private:
   bool lists_ = false;

@@ -15,14 +15,14 @@ namespace {
 
 Outcome run_broken(const char* what, const std::string& arguments, const TempDir& dir) {
   const Fault* const fault = find_fault(what);
-  EXPECT_NE(fault, nullptr) << what;
+  if (fault == nullptr) throw std::invalid_argument(std::string("no fault ") + what);
   const std::string before = "cd " + (dir / "").string() + "; FELINE_FAULT=" + std::to_string(fault->number);
   return run_program(FELINE_BROKEN, arguments, before);
 }
 
-// The arguments behind "replay: feline".
+// The arguments of the replay command, which calls the program as it was called.
 std::string replay_of(const std::string& text) {
-  const std::string start = "  replay: feline ";
+  const std::string start = "  replay: " FELINE_BROKEN " ";
   const std::size_t at = text.find(start);
   if (at == std::string::npos) return "";
   return text.substr(at + start.size(), text.find('\n', at) - at - start.size());

@@ -85,15 +85,21 @@ feline_fault(accumulate pixel_for_every_probe feline_accumulate
              "weighted_valid && weighted_q.last)" "weighted_valid && weighted_q.last" "weighted_valid")
 feline_fault(accumulate pixel_lost_when_stalled feline_accumulate
              "beat_ready || !weighted_q.last" "beat_ready || !weighted_q.last" "1'b1")
-# The unit stops, or goes on without giving: the stage that holds it up is named, however full everything before it is.
-feline_fault(group request_swallowed feline_group
-             ".valid_i(request_valid_i)" "request_valid_i" "1'b0")
-feline_fault(walk gives_nothing feline_walk ".valid_i(plan_valid_i), .ready_o(beat_ready)" "plan_valid_i" "1'b0")
-feline_fault(address stops feline_level_address
-             ".valid_o(texels_valid), .ready_i(texels_ready)" "texels_ready" "1'b0")
+# A stage swallows what it takes, or stops: it is named, however full everything before it is.
+feline_fault(group swallows feline_group ".valid_i(request_valid_i)" "request_valid_i" "1'b0")
+feline_fault(footprint swallows feline_footprint ".valid_i(products_valid)" "products_valid" "1'b0")
+feline_fault(plan swallows feline_count_probes ".valid_i(choice_valid)" "choice_valid" "1'b0")
+feline_fault(walk swallows feline_walk ".valid_i(plan_valid_i), .ready_o(beat_ready)" "plan_valid_i" "1'b0")
+feline_fault(address swallows feline_level_address ".valid_i(texels_valid)" "texels_valid" "1'b0")
 feline_fault(fetch line_never_taken feline_blocking_cache
              "memory_response_ready_o = state_q == Respond" "state_q == Respond" "1'b0")
-feline_fault(filter stops feline_filter ".valid_o(levels_valid), .ready_i(levels_ready)" "levels_ready" "1'b0")
-feline_fault(accumulate gives_no_pixel feline_accumulate ".valid_i(filter_valid_i)" "filter_valid_i" "1'b0")
+feline_fault(filter swallows feline_filter ".valid_i(levels_valid)" "levels_valid" "1'b0")
+feline_fault(accumulate swallows feline_accumulate ".valid_i(filter_valid_i)" "filter_valid_i" "1'b0")
+# A beat comes again and again; what is offered goes away when it is not taken.
+feline_fault(address repeats_beats feline_level_address
+             ".valid_o(texels_valid), .ready_i(texels_ready)" "texels_ready" "1'b0")
+feline_fault(filter repeats_beats feline_filter ".valid_o(levels_valid), .ready_i(levels_ready)" "levels_ready" "1'b0")
+feline_fault(fetch address_taken_before_its_lines_are_there feline_blocking_cache
+             "words_ready_i && missing == '0" "missing == '0" "1'b1")
 
-feline_fault(group never_busy feline_unit "inside_q != '0" "inside_q != '0" "1'b0")
+feline_fault(group never_busy feline_unit "in_flight_q != '0" "in_flight_q != '0" "1'b0")

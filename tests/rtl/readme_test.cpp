@@ -119,7 +119,8 @@ TEST(readme_long, default_scene) {
   EXPECT_EQ(read_bytes(dir / "a.png"), read_bytes(kRoot / "testbench/bricks.png"));
   const Outcome outcome = run_program(FELINE_PROGRAM, "cosim --size 512 --mode simple,table --json");
   ASSERT_EQ(outcome.code, 0) << outcome.text;
-  for (const auto& run : nlohmann::json::parse(outcome.text)["runs"]) {
+  const auto json = nlohmann::json::parse(outcome.text);
+  for (const auto& run : json["runs"]) {
     const double lookups = run["lookups"];
     expect_said(fmt::format("| {:.2f} probes and {:.1f} cycles a pixel, 0 mismatches",
                             run["probes"].get<double>() / lookups, run["cycles"].get<double>() / lookups));

@@ -115,24 +115,36 @@ double weight_at(double f, int probes, int column) {
   return wanted / sum;
 }
 
-// The stated error is the worst over all fProbes that a row serves, here on 1000 points a quarter.
+// The stated error is the worst over all fProbes that a row serves, here on 1000 points a quarter: those for which plan
+// chooses it, by either rounding of the probe count, ends included that are limits only.
 TEST(roms, weight_error_over_all_that_rows_serve) {
   Rom rom = machine().weight;
   judge_weights(kDefaultConfig, rom);
   double worst = 0;
   std::size_t where = 0;
-  for (std::size_t word = 0; word < rom.words.size(); ++word) {
-    const int row = static_cast<int>(word / 9);
-    const int column = static_cast<int>(word % 9);
-    const int probes = oracle::probes_of_row(row);
-    if (oracle::weight_uses(probes, column) == 0) continue;
-    const double held = static_cast<double>(rom.words[word]) / 256;
-    const int points = row >= 61 || row % 4 == 0 ? 0 : 1000;
-    for (int i = 0; i <= points; ++i) {
-      const double real = row >= 61 ? 1.0 / probes : weight_at((row + 4 + i / 1000.0) / 4, probes, column);
-      if (std::abs(held - real) <= worst) continue;
-      worst = std::abs(held - real);
-      where = word;
+  const auto compare = [&](int row, int column, double real) {
+    const auto word = static_cast<std::size_t>(9 * row + column);
+    const double error = std::abs(static_cast<double>(rom.words[word]) / 256 - real);
+    if (error < worst || (error == worst && word >= where)) return;
+    worst = error;
+    where = word;
+  };
+  for (int column = 0; column < 9; ++column) {
+    for (int probes = 1; probes <= 16; ++probes) {
+      if (oracle::weight_uses(probes, column) != 0) compare(60 + probes, column, 1.0 / probes);
+    }
+    for (int thousandths = 4000; thousandths <= 64000; ++thousandths) {
+      const double f = thousandths / 4000.0;
+      // Nearest, whose f is no more than its count once widened; and ceiling. An edge belongs to both of its quarters.
+      for (const int probes : {static_cast<int>(std::floor(f + 0.5)), static_cast<int>(std::floor(f)) + 1}) {
+        if (probes > 16 || oracle::weight_uses(probes, column) == 0) continue;
+        const double served = std::min<double>(f, probes);
+        for (const double quarters : {std::floor(4 * served), std::ceil(4 * served) - 1}) {
+          const int row = std::clamp(static_cast<int>(quarters), 4 * probes - 3, 4 * probes) - 4;
+          if (served == probes && row % 4 != 0) continue;
+          compare(std::max(row, 0), column, weight_at(served, probes, column));
+        }
+      }
     }
   }
   EXPECT_NEAR(rom.worst_error, worst, 1e-9);

@@ -143,6 +143,62 @@ TEST(atomic_file, uncommitted_temporary_is_removed) {
   EXPECT_EQ(dir.file_count(), 0);
 }
 
+// All or none: the second of three cannot be written, and the first, which could, has not taken its name.
+TEST(atomic_file, outputs_that_belong_together) {
+  const TempDir dir;
+  write_bytes(dir / "a.bin", "as before");
+  std::string message;
+  {
+    const FileSizeLimit limit(4096);
+    message = input_error([&] {
+      OutputFiles outputs;
+      outputs.write(dir / "a.bin", "new");
+      outputs.write(dir / "b.bin", std::string(10000, 'x'));
+      outputs.write(dir / "c.bin", "new");
+      outputs.commit();
+    });
+  }
+  EXPECT_EQ(message.find((dir / "b.bin").string() + ": write: got File too large"), 0U) << message;
+  EXPECT_EQ(read_bytes(dir / "a.bin"), "as before");
+  EXPECT_EQ(dir.file_count(), 1);
+  OutputFiles outputs;
+  outputs.write(dir / "a.bin", "new");
+  OutputFiles::File& grown = outputs.add(dir / "b.bin");
+  std::string expected;
+  for (int i = 0; i < 300000; ++i) {
+    grown.append("12345678");
+    expected += "12345678";
+  }
+  EXPECT_EQ(read_bytes(dir / "a.bin"), "as before");
+  outputs.commit();
+  EXPECT_EQ(read_bytes(dir / "a.bin"), "new");
+  EXPECT_EQ(read_bytes(dir / "b.bin"), expected);
+  EXPECT_EQ(dir.file_count(), 2);
+}
+
+// More outputs than a process may have open files.
+TEST(atomic_file, any_number_of_outputs) {
+  const TempDir dir;
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &before), 0);
+  const rlimit few{64, before.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &few), 0);
+  OutputFiles outputs;
+  constexpr int kMany = 200;
+  for (int i = 0; i < kMany; ++i) outputs.write(dir / (std::to_string(i) + ".txt"), "x");
+  outputs.commit();
+  EXPECT_EQ(::setrlimit(RLIMIT_NOFILE, &before), 0);
+  EXPECT_EQ(dir.file_count(), kMany);
+}
+
+TEST(atomic_file, check_before_the_work) {
+  const TempDir dir;
+  check_writable(dir / "a.txt");
+  EXPECT_EQ(dir.file_count(), 0);
+  check_writable("/dev/null");
+  EXPECT_FALSE(input_error([&] { check_writable(dir / "none/a.txt"); }).empty());
+}
+
 TEST(atomic_file, device_cannot_be_renamed_over) {
   EXPECT_EQ(input_error([] { AtomicFile("/dev/null"); }),
             "/dev/null: output: got a device or a pipe, legal is the path of a regular file");

@@ -37,7 +37,7 @@ TEST(command_line, repeats_without_what_is_left_out) {
     return repeat_command(arguments, {kOptions, kFlags});
   };
   EXPECT_EQ(repeat({"/any/where/feline", "cosim", "--scene", "a,b", "--size=64", "--json", "--replay=3"}),
-            "feline cosim --size=64");
+            "/any/where/feline cosim --size=64");
   EXPECT_EQ(repeat({"feline", "cosim", "--scene=a", "--texture", "my photo's.png", "--replay", "3:9"}),
             "feline cosim --texture 'my photo'\\''s.png'");
   EXPECT_EQ(repeat({"feline"}), "feline");

@@ -4,13 +4,11 @@
 // Takes  the footprint's place, exponent, major vector S8.8 and radius; major, fitted U8.7, probes and eighths
 //        (feline_count_probes); the mode, a supported one; the sampler state.
 // Gives  the plan.
-// Takes two steps: level and line | half step. Each leaf says how it rounds.
+// Timing two registers: level and line | half step. Each leaf says how it rounds.
 // Source WRL 99/1, 3.1, 3.2, 3.4; Vulkan 1.3, 16.8 (bias, clamp, magnification).
 `default_nettype none
 
-module feline_place_probes #(
-  parameter int unsigned EighthsWidth = $clog2(4 * feline_pkg::MaxProbes + 8)
-) (
+module feline_plan_level_step (
   input  wire logic                                        clk_i,
   input  wire logic                                        rst_i,
   input  wire feline_pkg::sampler_t                        sampler_i,
@@ -28,7 +26,7 @@ module feline_place_probes #(
   input  wire logic [feline_pkg::RadiusWidth-1:0]          major_i,
   input  wire logic [feline_pkg::RadiusWidth-1:0]          fitted_i,
   input  wire logic [feline_pkg::ProbeCountWidth-1:0]      probes_i,
-  input  wire logic [EighthsWidth-1:0]                     eighths_i,
+  input  wire logic [feline_pkg::EighthsWidth-1:0]         eighths_i,
   output logic                                             plan_valid_o,
   input  wire logic                                        plan_ready_i,
   output feline_pkg::plan_t                                plan_o
@@ -52,7 +50,7 @@ module feline_place_probes #(
     logic [LineWidth-1:0]                        line;
     logic signed [LevelWidth-1:0]                base_level;
     logic [ProbeCountWidth-1:0]                  probes;
-    logic [EighthsWidth-1:0]                     eighths;
+    logic [feline_pkg::EighthsWidth-1:0]         eighths;
   } level_t;
 
   logic unused_sampler;
@@ -130,7 +128,7 @@ module feline_place_probes #(
     .max_level_i(sampler_i.max_level), .last_level_i(sampler_i.last_level), .mode_i, .magnify_i(sampler_i.magnify),
     .level_of_detail_o(plan_d.level_of_detail), .linear_o(plan_d.linear)
   );
-  feline_choose_weight_row #(.EighthsWidth(EighthsWidth)) u_choose_weight_row (
+  feline_choose_weight_row u_choose_weight_row (
     .mode_i, .probes_i(level_q.probes), .eighths_i(level_q.eighths), .weight_row_o(plan_d.weight_row)
   );
 
