@@ -73,11 +73,14 @@ bool is_special(const fs::path& target) {
 }
 
 // The file behind a symbolic link, so that the rename replaces the file and not the link.
-fs::path resolve(const fs::path& target) {
+fs::path resolve(fs::path target) {
+  constexpr int kMostLinks = 40;  // as the system follows
   std::error_code error;
-  if (!fs::is_symlink(target, error)) return target;
-  const fs::path real = fs::weakly_canonical(target, error);
-  return error ? target : real;
+  for (int i = 0; i < kMostLinks && fs::is_symlink(target, error); ++i) {
+    // An absolute link replaces the whole path.
+    target = target.parent_path() / fs::read_symlink(target, error);
+  }
+  return target;
 }
 
 // Unique in this process by the counter, between processes by the id; O_EXCL does the rest.

@@ -191,6 +191,14 @@ TEST(atomic_file, any_number_of_outputs) {
   EXPECT_EQ(dir.file_count(), kMany);
 }
 
+TEST(atomic_file, link_to_nothing_makes_what_it_points_to) {
+  const TempDir dir;
+  fs::create_symlink("real.txt", dir / "link.txt");
+  write_file_atomically(dir / "link.txt", "new");
+  EXPECT_TRUE(fs::is_symlink(dir / "link.txt"));
+  EXPECT_EQ(read_bytes(dir / "real.txt"), "new");
+}
+
 TEST(atomic_file, check_before_the_work) {
   const TempDir dir;
   check_writable(dir / "a.txt");

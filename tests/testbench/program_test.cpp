@@ -89,6 +89,9 @@ TEST(program, choices_that_contradict_each_other) {
   expect_refused(dir, "explain --derivatives 1,0,0,1 --scene bricks", {"--scene", "--derivatives"});
   expect_refused(dir, "explain --derivatives 1,0,0,1 --texture a.png --size 8", {"--size", "--texture"});
   expect_refused(dir, "explain --pixel 1,1 --position 0,0", {"--position", "--derivatives"});
+  expect_refused(dir, "explain --derivatives 13,0,12,x", {"--derivatives", "got x", "float32"});
+  expect_refused(dir, "explain --derivatives 1,0,0,1 --mip-filter box", {"--mip-filter", "--texture"});
+  expect_refused(dir, "vectors --seed 5 --size 4", {"--seed", "5", "--random"});
   expect_refused(dir, "render --srgb" + output, {"--srgb", "--texture"});
   expect_refused(dir, "render --gbuffer a.exr --size 8 --texture a.png" + output, {"--size", "--gbuffer"});
   expect_refused(dir, "render --gbuffer a.exr --scene bricks --texture a.png" + output, {"--scene", "--gbuffer"});
@@ -177,6 +180,15 @@ TEST(program, outputs_that_cannot_be_written) {
   expect_refused(dir, "vectors --output /nonexistent", {"--output", "directory"});
   expect_refused(dir, "tables --output /nonexistent", {"--output", "directory"});
   expect_refused(dir, "cosim --size 8 --output /nonexistent", {"--output", "directory"});
+}
+
+// A signal leaves no temporary behind.
+TEST(program, killed_leaves_nothing) {
+  const TempDir dir;
+  ASSERT_EQ(::mkdir(path(dir, "out").c_str(), 0700), 0);
+  const Outcome outcome = run("vectors --random 1000000 --output " + path(dir, "out"), "timeout -s INT 0.5");
+  EXPECT_EQ(outcome.code, 124) << outcome.text;
+  EXPECT_TRUE(fs::is_empty(dir / "out"));
 }
 
 TEST(program, explain_shows_the_papers_example) {
