@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <sstream>
 
 #include "model/sampler.h"
 #include "tables/emit.h"
@@ -70,6 +71,24 @@ TEST(readme, formats) {
                                      {"result", F::kPixel}}) {
     EXPECT_NE(text.find(std::string(name) + " " + notation(format)), std::string::npos) << name << notation(format);
   }
+}
+
+// The message of a mismatch, line by line but for those left out.
+TEST(readme, mismatch_message) {
+  const TempDir dir;
+  const std::string fault = std::to_string(find_fault("turn_the_other_way")->number);
+  const std::string before = "cd " + (dir / "").string() + "; FELINE_FAULT=" + fault;
+  std::string text = run_program(FELINE_BROKEN, "cosim --size 128 --scene window", before).text;
+  text = std::regex_replace(text, std::regex(FELINE_BROKEN), "build/feline");
+  const std::string said = readme();
+  std::istringstream lines(said.substr(said.find("    MISMATCH at stage")));
+  int compared = 0;
+  for (std::string line; std::getline(lines, line) && line.starts_with("    ");) {
+    if (line.ends_with("...")) continue;
+    EXPECT_NE(text.find(line.substr(4) + "\n"), std::string::npos) << line << "\n" << text;
+    ++compared;
+  }
+  EXPECT_GT(compared, 8);
 }
 
 // The cycles of each stage: of a lone lookup of one probe whose lines are there, from beat to beat. Between walk and
