@@ -22,10 +22,11 @@ fields_of() {
   case $1 in
     least) ranges | awk '{ print $1 "=" ($2 == "channel_fraction_bits" ? 2 : $2) }' ;;
     most) ranges | awk '{ print $1 "=" $3 }' ;;
-    # Nothing but nearest, bilinear and trilinear; and everything before the texels only.
+    # Nothing but nearest, bilinear and trilinear; and all of the front with few bits and many probes, where a shortened
+    # footprint comes nearest to vanishing.
     bare) features | sed 's/$/=false/' ;;
     front) printf '%s\n' gaussian=false srgb=false mirrored_repeat=false clamp_to_border=false table_rows=7 \
-      table_columns=6 max_probes=11 mantissa_bits=7 ;;
+      table_columns=6 max_probes=32 mantissa_bits=6 factor_bits=10 ;;
     *[!0-9]*) echo "configurations.sh: no configuration $1: legal is least, most, bare, front or a seed" >&2; exit 2 ;;
     *)
       ranges | awk -v seed="$1" 'BEGIN { srand(seed) } {
