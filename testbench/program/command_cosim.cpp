@@ -63,11 +63,6 @@ std::optional<ReplayRange> parse_replay(const std::string& text, std::uint64_t l
   return range;
 }
 
-std::string wrap_name(const SamplerOptions& choice) {
-  const auto name = [](Wrap wrap) { return std::string(kWrapNames[static_cast<std::size_t>(wrap)]); };
-  return choice.wrap_s == choice.wrap_t ? name(choice.wrap_s) : name(choice.wrap_s) + "-" + name(choice.wrap_t);
-}
-
 PreparedJob scene_job(const CosimOptions& options, const std::shared_ptr<const Subject>& subject,
                       const SamplerOptions& choice, const std::string& command) {
   PreparedJob prepared;

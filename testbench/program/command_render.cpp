@@ -26,15 +26,15 @@ struct RenderOptions {
 constexpr std::array<std::string_view, 2> kEngineNames{"model", "rtl"};
 
 // The pixels are the RTL's own; the maps show the plans, which co-simulation compares.
-Picture render_rtl(const Subject& subject, const SamplerState<kUnit>& sampler, const std::string& command,
-                   bool& holds) {
+Picture render_rtl(const Subject& subject, const SamplerOptions& choice, const std::string& command, bool& holds) {
+  const auto sampler = prepare_sampler(choice, subject.texture, subject.memory);
   CosimJob job;
   job.scene = subject.name;
   job.width = subject.gbuffer.width;
   job.lookups = job.batch_lookups = subject.gbuffer.lookups.size();
-  job.mode = kModeNames[static_cast<std::size_t>(sampler.mode.raw())];
-  job.kernel = kKernelNames[static_cast<std::size_t>(sampler.kernel.raw())];
-  job.wrap = kWrapNames[static_cast<std::size_t>(sampler.wrap_s.raw())];
+  job.mode = kModeNames[static_cast<std::size_t>(choice.mode)];
+  job.kernel = kKernelNames[static_cast<std::size_t>(choice.kernel)];
+  job.wrap = wrap_name(choice);
   job.command = command;
   job.batch = [&](std::uint64_t) { return Batch{sampler, &subject.memory, subject.gbuffer.lookups, 0}; };
   Progress progress("rendering", job.lookups);
@@ -72,7 +72,7 @@ int run_render(const RenderOptions& options) {
   const Subject subject = options.subject.load(mip_edge(choice));
   const auto sampler = prepare_sampler(choice, subject.texture, subject.memory);
   bool holds = true;
-  const Picture picture = rtl ? render_rtl(subject, sampler, options.cosim_command, holds)
+  const Picture picture = rtl ? render_rtl(subject, choice, options.cosim_command, holds)
                               : render_model(subject.gbuffer, sampler, subject.memory);
   if (!holds) return kBroken;
   const std::filesystem::path path = options.output;

@@ -220,6 +220,11 @@ RandomBatches::Choices SamplerChoice::random_choices() const {
   return choices;
 }
 
+std::string wrap_name(const SamplerOptions& choice) {
+  const auto name = [](Wrap wrap) { return std::string(kWrapNames[static_cast<std::size_t>(wrap)]); };
+  return choice.wrap_s == choice.wrap_t ? name(choice.wrap_s) : name(choice.wrap_s) + "-" + name(choice.wrap_t);
+}
+
 SamplerState<kDefaultConfig> prepare_sampler(const SamplerOptions& options, const Texture& texture,
                                              const TextureMemory& memory) {
   try {

@@ -100,6 +100,9 @@ constexpr MipEdge mip_edge(const SamplerOptions& options) {
   return options.wrap_s == Wrap::kRepeat && options.wrap_t == Wrap::kRepeat ? MipEdge::kRepeat : MipEdge::kClamp;
 }
 
+// Of both axes: "repeat", or "repeat-clamp_to_edge" where they differ.
+std::string wrap_name(const SamplerOptions& choice);
+
 // "bricks, curves, ...", for help.
 std::string scene_names();
 

@@ -95,7 +95,7 @@ feline_fault(fetch line_never_taken feline_blocking_cache
              "memory_response_ready_o = state_q == Respond" "state_q == Respond" "1'b0")
 feline_fault(filter swallows feline_filter ".valid_i(levels_valid)" "levels_valid" "1'b0")
 feline_fault(accumulate swallows feline_accumulate ".valid_i(filter_valid_i)" "filter_valid_i" "1'b0")
-# A beat comes again and again; what is offered goes away when it is not taken.
+# A beat comes again and again, or is taken too early.
 feline_fault(address repeats_beats feline_level_address
              ".valid_o(texels_valid), .ready_i(texels_ready)" "texels_ready" "1'b0")
 feline_fault(filter repeats_beats feline_filter ".valid_o(levels_valid), .ready_i(levels_ready)" "levels_ready" "1'b0")
