@@ -120,8 +120,8 @@ FloatLevel pad_periodic(const FloatLevel& level, int channels, int pad) {
   return padded;
 }
 
-FloatLevel next_level(FloatLevel& from, int channels, MipFilter filter, MipEdge edge) {
-  FloatLevel to{mip_size(from.width, 1), mip_size(from.height, 1), {}};
+FloatLevel resize(FloatLevel& from, int width, int height, int channels, MipFilter filter, MipEdge edge) {
+  FloatLevel to{width, height, {}};
   to.values.resize(value_count(to.width, to.height, channels));
 
   OIIO::ImageSpec spec(from.width, from.height, channels, OIIO::TypeDesc::FLOAT);
@@ -147,33 +147,59 @@ FloatLevel next_level(FloatLevel& from, int channels, MipFilter filter, MipEdge 
   return to;
 }
 
+// From stored texels to light and back, alpha left alone.
+class Light {
+ public:
+  Light(int channels, bool srgb) : channels_(channels), colour_(srgb), linear_(false) {}
+
+  FloatLevel decode(const MipLevel& stored) const {
+    if (stored.width < 1 || stored.height < 1 ||
+        stored.texels.size() != value_count(stored.width, stored.height, channels_)) {
+      throw std::invalid_argument("mip chain: the texels do not fill the level");
+    }
+    FloatLevel level{stored.width, stored.height, std::vector<float>(stored.texels.size())};
+    for (std::size_t i = 0; i < level.values.size(); ++i) level.values[i] = of(i).decode(stored.texels[i]);
+    return level;
+  }
+  MipLevel encode(const FloatLevel& level) const {
+    MipLevel stored{level.width, level.height, std::vector<std::uint8_t>(level.values.size())};
+    for (std::size_t i = 0; i < level.values.size(); ++i) stored.texels[i] = of(i).encode(level.values[i]);
+    return stored;
+  }
+
+ private:
+  const Transfer& of(std::size_t index) const { return channels_ == 4 && index % 4 == 3 ? linear_ : colour_; }
+  int channels_;
+  Transfer colour_, linear_;
+};
+
 }  // namespace
 
 std::vector<MipLevel> build_mip_chain(MipLevel base, int channels, MipFilter filter, bool srgb, MipEdge edge) {
-  if (base.width < 1 || base.height < 1 || base.texels.size() != value_count(base.width, base.height, channels)) {
-    throw std::invalid_argument("build_mip_chain: the texels do not fill the level");
-  }
-  const Transfer colour(srgb);
-  const Transfer linear(false);
-  const auto transfer = [&](std::size_t index) -> const Transfer& {
-    return channels == 4 && index % 4 == 3 ? linear : colour;
-  };
-
-  FloatLevel level{base.width, base.height, std::vector<float>(base.texels.size())};
-  for (std::size_t i = 0; i < level.values.size(); ++i) {
-    level.values[i] = transfer(i).decode(base.texels[i]);
-  }
+  const Light light(channels, srgb);
+  FloatLevel level = light.decode(base);
   std::vector<MipLevel> levels;
   levels.push_back(std::move(base));
   while (level.width > 1 || level.height > 1) {
-    level = next_level(level, channels, filter, edge);
-    MipLevel stored{level.width, level.height, std::vector<std::uint8_t>(level.values.size())};
-    for (std::size_t i = 0; i < level.values.size(); ++i) {
-      stored.texels[i] = transfer(i).encode(level.values[i]);
-    }
-    levels.push_back(std::move(stored));
+    level = resize(level, mip_size(level.width, 1), mip_size(level.height, 1), channels, filter, edge);
+    levels.push_back(light.encode(level));
   }
   return levels;
+}
+
+RipChain build_rip_chain(const MipLevel& base, int channels, MipFilter filter, bool srgb, MipEdge edge) {
+  const Light light(channels, srgb);
+  RipChain chain{mip_count(base.width, 1), mip_count(1, base.height), {}};
+  FloatLevel row = light.decode(base);
+  for (int j = 0; j < chain.rows; ++j) {
+    if (j > 0) row = resize(row, row.width, mip_size(row.height, 1), channels, filter, edge);
+    FloatLevel image = row;
+    for (int i = 0; i < chain.columns; ++i) {
+      if (i > 0) image = resize(image, mip_size(image.width, 1), image.height, channels, filter, edge);
+      chain.images.push_back(i + j == 0 ? base : light.encode(image));
+    }
+  }
+  return chain;
 }
 
 }  // namespace feline

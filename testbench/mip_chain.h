@@ -44,4 +44,14 @@ constexpr int mip_count(int width, int height) {
 std::vector<MipLevel> build_mip_chain(MipLevel base, int channels, MipFilter filter, bool srgb,
                                       MipEdge edge = MipEdge::kClamp);
 
+// Images reduced in each direction on its own, for RIP mapping: image j * columns + i measures mip_size(width, i) by
+// mip_size(height, j), down to one texel in both; otherwise as build_mip_chain.
+struct RipChain {
+  int columns = 0;
+  int rows = 0;
+  std::vector<MipLevel> images;
+};
+RipChain build_rip_chain(const MipLevel& base, int channels, MipFilter filter, bool srgb,
+                         MipEdge edge = MipEdge::kClamp);
+
 }  // namespace feline

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "model/reference/filters.h"
+#include "model/texture.h"
+#include "testbench/mip_chain.h"
+
+namespace feline {
+
+// Stored texels as the unit decodes them, in double where it has 12 bits: missing channels are 0, alpha 1; sRGB to
+// linear light (IEC 61966-2-1). The border has the texture's channels only.
+reference::Level to_reference(const MipLevel& level, TexelFormat format, bool srgb);
+reference::MipMap to_reference(const Texture& texture, const reference::Wrapping& wrapping);
+
+// All forms of a texture. Lanczos levels are the texture's own; the others are made from its level 0.
+reference::Images make_images(const Texture& texture, const reference::Wrapping& wrapping, MipEdge edge);
+
+}  // namespace feline
