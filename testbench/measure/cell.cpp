@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "testbench/measure/cell.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "testbench/measure/detail.h"
+#include "testbench/page/html.h"
+
+namespace feline {
+namespace {
+
+// One in this many stripes goes through the RTL: it takes 40 microseconds a pixel.
+constexpr int kRtlStride = 8;
+
+CellErrors pool(const std::vector<Rendering>& renderings, const std::vector<Truth>& truths,
+                const FloatPicture Truth::*truth, const Exhibit& exhibit) {
+  CellErrors pooled;
+  const auto frames = static_cast<double>(renderings.size());
+  const int channels = exhibit.channels();
+  for (std::size_t i = 0; i < renderings.size(); ++i) {
+    const Errors errors = compare(renderings[i].picture, truths[i].*truth, channels);
+    const double mean = pooled.errors.mean_square + errors.mean_square / frames;
+    if (i == 0 || errors.worst > pooled.errors.worst) pooled.errors = errors;
+    pooled.errors.mean_square = mean;
+    if (i == 0) continue;
+    pooled.shimmer = pooled.shimmer.value_or(0) +
+                     temporal_mean_square(renderings[i - 1].picture, truths[i - 1].*truth, renderings[i].picture,
+                                          truths[i].*truth, channels) /
+                         (frames - 1);
+  }
+  pooled.visible = visible_difference(renderings.front().picture, truths.front().*truth, exhibit.srgb(), channels);
+  return pooled;
+}
+
+void add_pixel_means(Cell& cell, const std::vector<Rendering>& renderings) {
+  double pixels = 0;
+  for (const Rendering& rendering : renderings) {
+    cell.nanoseconds += rendering.nanoseconds / static_cast<double>(renderings.size());
+    cell.cost.probes += rendering.cost.probes;
+    cell.cost.texels += rendering.cost.texels;
+    cell.cost.cycles += rendering.cost.cycles;
+    cell.cost.stamp_cycles += rendering.cost.stamp_cycles;
+    pixels += static_cast<double>(rendering.picture.pixels.size());
+  }
+  for (double* const value : {&cell.cost.probes, &cell.cost.texels, &cell.cost.cycles, &cell.cost.stamp_cycles}) {
+    *value /= pixels;
+  }
+}
+
+nlohmann::ordered_json to_json(const CellErrors& errors) {
+  nlohmann::ordered_json json{{"mean_square", errors.errors.mean_square},
+                              {"worst", errors.errors.worst},
+                              {"worst_column", errors.errors.worst_column},
+                              {"worst_row", errors.errors.worst_row},
+                              {"visible", errors.visible}};
+  if (errors.shimmer) json["shimmer"] = *errors.shimmer;
+  return json;
+}
+
+CellErrors errors_from_json(const nlohmann::ordered_json& json) {
+  CellErrors errors{{json.at("mean_square"), json.at("worst"), json.at("worst_column"), json.at("worst_row")},
+                    json.at("visible"),
+                    std::nullopt};
+  if (json.contains("shimmer")) errors.shimmer = json.at("shimmer").get<double>();
+  return errors;
+}
+
+}  // namespace
+
+Cell measure_cell(const Contestant& contestant, const Exhibit& exhibit, const std::vector<Truth>& truths,
+                  const Detail& detail) {
+  std::vector<Rendering> renderings;
+  for (const View& view : exhibit.frames) renderings.push_back(contestant.render(view, nullptr));
+  Cell cell;
+  cell.exhibit = exhibit.frames.front().name;
+  cell.contestant = contestant.name;
+  cell.gaussian = pool(renderings, truths, &Truth::gaussian, exhibit);
+  cell.box = pool(renderings, truths, &Truth::box, exhibit);
+  add_pixel_means(cell, renderings);
+  if (contestant.sampler) {
+    cell.rtl_cycles = measure_rtl_cycles(exhibit.frames.front(), *contestant.sampler, kRtlStride);
+  }
+  const FloatPicture& picture = renderings.front().picture;
+  const FloatPicture& truth = truths.front().gaussian;
+  cell.detail_png = base64(detail_png(picture, detail, exhibit.srgb(), exhibit.channels()));
+  cell.difference_png = base64(detail_png(difference(picture, truth, kDifferenceGain), detail, false, 3));
+  if (!renderings.front().probes.empty()) {
+    cell.probes_png = base64(probes_png(renderings.front().probes, picture.width, detail));
+  }
+  return cell;
+}
+
+nlohmann::ordered_json to_json(const Cell& cell) {
+  nlohmann::ordered_json json{{"exhibit", cell.exhibit},
+                              {"contestant", cell.contestant},
+                              {"gaussian", to_json(cell.gaussian)},
+                              {"box", to_json(cell.box)},
+                              {"nanoseconds", cell.nanoseconds},
+                              {"probes", cell.cost.probes},
+                              {"texels", cell.cost.texels},
+                              {"cycles", cell.cost.cycles},
+                              {"stamp_cycles", cell.cost.stamp_cycles}};
+  if (cell.rtl_cycles) json["rtl_cycles"] = *cell.rtl_cycles;
+  json["detail_png"] = cell.detail_png;
+  json["difference_png"] = cell.difference_png;
+  json["probes_png"] = cell.probes_png;
+  return json;
+}
+
+Cell cell_from_json(const nlohmann::ordered_json& json) {
+  Cell cell;
+  cell.exhibit = json.at("exhibit");
+  cell.contestant = json.at("contestant");
+  cell.gaussian = errors_from_json(json.at("gaussian"));
+  cell.box = errors_from_json(json.at("box"));
+  cell.nanoseconds = json.at("nanoseconds");
+  cell.cost = {json.at("probes"), json.at("texels"), json.at("cycles"), json.at("stamp_cycles")};
+  if (json.contains("rtl_cycles")) cell.rtl_cycles = json.at("rtl_cycles").get<double>();
+  cell.detail_png = json.at("detail_png");
+  cell.difference_png = json.at("difference_png");
+  cell.probes_png = json.at("probes_png");
+  return cell;
+}
+
+}  // namespace feline

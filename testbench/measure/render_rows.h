@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <OpenImageIO/parallel.h>
+
+#include <atomic>
+#include <cstdint>
+#include <ctime>
+#include <mutex>
+
+#include "testbench/measure/contestant.h"
+
+namespace feline {
+
+// The processor time of the calling thread, nanoseconds: what a loaded machine leaves comparable.
+inline std::int64_t thread_nanoseconds() {
+  std::timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
+}
+
+// Fills a rendering row by row on all processors. `pixel(index, cost)` gives the colour of a pixel and adds to cost.
+template <typename PixelOf>
+Rendering render_rows(const View& view, Progress* progress, PixelOf pixel) {
+  Rendering rendering{{view.gbuffer.width, view.gbuffer.height, {}}, {}, {}, 0};
+  rendering.picture.pixels.resize(view.gbuffer.lookups.size());
+  rendering.probes.resize(view.gbuffer.lookups.size());
+  std::mutex mutex;
+  std::int64_t nanoseconds = 0;
+  OIIO::parallel_for(0, view.gbuffer.height, [&](std::int64_t row) {
+    const auto width = static_cast<std::size_t>(view.gbuffer.width);
+    const std::size_t first = static_cast<std::size_t>(row) * width;
+    reference::Cost cost;
+    const std::int64_t start = thread_nanoseconds();
+    for (std::size_t i = first; i < first + width; ++i) {
+      const double before = cost.probes;
+      const reference::Colour colour = pixel(i, cost);
+      for (std::size_t c = 0; c < 4; ++c) rendering.picture.pixels[i][c] = static_cast<float>(colour[c]);
+      rendering.probes[i] = static_cast<float>(cost.probes - before);
+    }
+    const std::int64_t took = thread_nanoseconds() - start;
+    {
+      const std::scoped_lock lock(mutex);
+      nanoseconds += took;
+      rendering.cost.probes += cost.probes;
+      rendering.cost.texels += cost.texels;
+      rendering.cost.cycles += cost.cycles;
+      rendering.cost.stamp_cycles += cost.stamp_cycles;
+    }
+    if (progress != nullptr) progress->advance(width);
+  });
+  rendering.nanoseconds = static_cast<double>(nanoseconds) / static_cast<double>(view.gbuffer.lookups.size());
+  return rendering;
+}
+
+}  // namespace feline

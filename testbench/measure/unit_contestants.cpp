@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "testbench/measure/unit_contestants.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <stdexcept>
+
+#include "model/unit.h"
+#include "testbench/cosim/cosimulation.h"
+#include "testbench/measure/render_rows.h"
+
+namespace feline {
+namespace {
+
+SamplerState<kDefaultConfig> sampler_of(SamplerOptions options, const View& view) {
+  const reference::Wrapping& wrapping = view.surface->images.lanczos.wrapping;
+  options.wrap_s = wrapping.s;
+  options.wrap_t = wrapping.t;
+  for (std::size_t c = 0; c < 4; ++c) options.border[c] = double{wrapping.border[c]};
+  return make_sampler<kDefaultConfig>(options, view.surface->texture, view.surface->memory);
+}
+
+Rendering render_unit(const SamplerOptions& options, const View& view, Progress* progress) {
+  using F = Formats<kDefaultConfig>;
+  const auto sampler = sampler_of(options, view);
+  return render_rows(view, progress, [&](std::size_t i, reference::Cost& cost) {
+    const auto pixel = sample<kDefaultConfig>(make_request<kDefaultConfig>(view.gbuffer.lookups[i], 0), sampler,
+                                              view.surface->memory, [&]<typename Beat>(const Beat& beat) {
+                                                if constexpr (std::is_same_v<Beat, FetchBeat<kDefaultConfig>>) {
+                                                  cost.add(1, beat.level_fraction.raw() == 0 ? 4 : 8, 1);
+                                                }
+                                              });
+    reference::Colour colour{};
+    for (std::size_t c = 0; c < 4; ++c) colour[c] = F::kPixel.value(pixel.colour[c].raw()) / 255;
+    return colour;
+  });
+}
+
+Contestant unit_contestant(const std::string& suffix, const std::string& description, const SamplerOptions& options) {
+  Contestant contestant{"unit_" + suffix, Contestant::Kind::kUnit, description, "this project", options, {}};
+  contestant.render = [options](const View& view, Progress* progress) { return render_unit(options, view, progress); };
+  return contestant;
+}
+
+}  // namespace
+
+std::vector<Contestant> unit_contestants() {
+  std::vector<Contestant> all;
+  for (const Mode mode : {Mode::kNearest, Mode::kBilinear, Mode::kTrilinear, Mode::kExt}) {
+    SamplerOptions options;
+    options.mode = mode;
+    options.magnify = mode == Mode::kNearest ? Magnify::kNearest : Magnify::kLinear;
+    const auto name = kModeNames[static_cast<std::size_t>(mode)];
+    all.push_back(unit_contestant(std::string(name), fmt::format("the 8-bit unit, mode {}", name), options));
+  }
+  struct Set {
+    std::string_view name;
+    const ProbeParameters* parameters;
+  };
+  constexpr std::array<Set, 3> kSets{
+      {{"", &kExact}, {"_high_quality", &kHighQuality}, {"_high_efficiency", &kHighEfficiency}}};
+  for (const Mode mode : {Mode::kSimple, Mode::kTable}) {
+    for (const auto& [set_name, parameters] : kSets) {
+      for (const Kernel kernel : {Kernel::kBilinear, Kernel::kGaussian}) {
+        SamplerOptions options;
+        options.mode = mode;
+        options.kernel = kernel;
+        options.probes = *parameters;
+        const auto name = kModeNames[static_cast<std::size_t>(mode)];
+        all.push_back(
+            unit_contestant(fmt::format("{}{}{}", name, set_name, kernel == Kernel::kGaussian ? "_gaussian" : ""),
+                            fmt::format("the 8-bit unit, {} Feline", name), options));
+      }
+    }
+  }
+  return all;
+}
+
+double measure_rtl_cycles(const View& view, const SamplerOptions& options, int stride) {
+  constexpr int kRows = 4;
+  const auto sampler = sampler_of(options, view);
+  const auto width = static_cast<std::size_t>(view.gbuffer.width);
+  std::vector<Lookup> lookups;
+  for (int row = 0; row < view.gbuffer.height; ++row) {
+    if (row / kRows % stride != 0) continue;
+    const auto first =
+        view.gbuffer.lookups.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(row) * width);
+    lookups.insert(lookups.end(), first, first + static_cast<std::ptrdiff_t>(width));
+  }
+  Cosimulation cosimulation(make_fast_unit, Timing{});
+  if (!cosimulation.run(Batch{sampler, &view.surface->memory, lookups, 0})) {
+    throw std::runtime_error(
+        fmt::format("{}: RTL and model differ; feline cosim --scene {} says where", view.name, view.name));
+  }
+  return static_cast<double>(cosimulation.cycles()) / static_cast<double>(lookups.size());
+}
+
+}  // namespace feline
