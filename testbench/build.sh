@@ -21,7 +21,7 @@ feline_install() {
     /usr/include/CLI/CLI.hpp=libcli11-dev /usr/include/fmt/format.h=libfmt-dev \
     /usr/include/nlohmann/json.hpp=nlohmann-json3-dev /usr/include/gtest/gtest.h=libgtest-dev \
     /usr/include/OpenImageIO/imageio.h=libopenimageio-dev /usr/bin/oiiotool=openimageio-tools \
-    "/usr/lib/*/libz.so=zlib1g-dev" "$@")
+    "/usr/lib/*/libz.so=zlib1g-dev" gnuplot=gnuplot-nox "$@")
   ((${#missing[@]} == 0)) && return
   echo "installing: ${missing[*]}"
   local sudo=()

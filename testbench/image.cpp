@@ -69,8 +69,8 @@ MipLevel convert(const MipLevel& from, int from_channels, int to_channels) {
 }
 
 template <typename Value>
-std::vector<std::byte> encode_png(const std::filesystem::path& path, int width, int height, int channels,
-                                  std::span<const Value> pixels, const OIIO::TypeDesc& type) {
+std::vector<std::byte> encode(const std::filesystem::path& path, int width, int height, int channels,
+                              std::span<const Value> pixels, const OIIO::TypeDesc& type) {
   if (width < 1 || height < 1 || channels < 1 || channels > 4 ||
       pixels.size() !=
           static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(channels)) {
@@ -100,19 +100,24 @@ Texture load_texture(const std::filesystem::path& path, const ImageOptions& opti
   return texture;
 }
 
+std::vector<std::byte> encode_png(const std::filesystem::path& path, int width, int height, int channels,
+                                  std::span<const std::uint8_t> pixels) {
+  return encode(path, width, height, channels, pixels, OIIO::TypeDesc::UINT8);
+}
+
 void write_png(const std::filesystem::path& path, int width, int height, int channels,
                std::span<const std::uint8_t> pixels) {
-  write_file_atomically(path, encode_png(path, width, height, channels, pixels, OIIO::TypeDesc::UINT8));
+  write_file_atomically(path, encode_png(path, width, height, channels, pixels));
 }
 
 void write_png(const std::filesystem::path& path, int width, int height, int channels,
                std::span<const std::uint16_t> pixels) {
-  write_file_atomically(path, encode_png(path, width, height, channels, pixels, OIIO::TypeDesc::UINT16));
+  write_file_atomically(path, encode(path, width, height, channels, pixels, OIIO::TypeDesc::UINT16));
 }
 
 void write_png(OutputFiles& outputs, const std::filesystem::path& path, int width, int height, int channels,
                std::span<const std::uint8_t> pixels) {
-  outputs.write(path, encode_png(path, width, height, channels, pixels, OIIO::TypeDesc::UINT8));
+  outputs.write(path, encode_png(path, width, height, channels, pixels));
 }
 
 }  // namespace feline

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "model/texture.h"
 #include "testbench/atomic_file.h"
@@ -43,6 +44,9 @@ void write_png(const std::filesystem::path& path, int width, int height, int cha
                std::span<const std::uint8_t> pixels);
 void write_png(const std::filesystem::path& path, int width, int height, int channels,
                std::span<const std::uint16_t> pixels);
+// The bytes of such a file.
+std::vector<std::byte> encode_png(const std::filesystem::path& path, int width, int height, int channels,
+                                  std::span<const std::uint8_t> pixels);
 // The same as one of several outputs.
 void write_png(OutputFiles& outputs, const std::filesystem::path& path, int width, int height, int channels,
                std::span<const std::uint8_t> pixels);

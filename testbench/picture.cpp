@@ -73,16 +73,18 @@ void write_picture(OutputFiles& outputs, const std::filesystem::path& path, cons
   write_png(outputs, path, picture.width, picture.height, 4, std::span<const std::uint8_t>(bytes));
 }
 
-void write_probe_map(OutputFiles& outputs, const std::filesystem::path& path, const Picture& picture) {
+std::array<int, 3> probe_colour(int probes) {
   constexpr std::array<Anchor, 5> kAnchors{Anchor{0, {255, 255, 255}}, Anchor{256, {120, 190, 255}},
                                            Anchor{512, {20, 40, 160}}, Anchor{768, {0, 255, 0}},
                                            Anchor{1024, {255, 0, 0}}};
-  write_map(outputs, path, picture, [&](const PlanBeat<kDefaultConfig>& plan) {
-    // log2 of the count, piecewise linear between powers of two.
-    const int probes = static_cast<int>(plan.probes.raw());
-    const int top = bit_length(probes) - 1;
-    return ramp(kAnchors, 256 * top + ((probes - (1 << top)) << 8 >> top));
-  });
+  // log2 of the count, piecewise linear between powers of two.
+  const int top = bit_length(probes) - 1;
+  return ramp(kAnchors, 256 * top + ((probes - (1 << top)) << 8 >> top));
+}
+
+void write_probe_map(OutputFiles& outputs, const std::filesystem::path& path, const Picture& picture) {
+  write_map(outputs, path, picture,
+            [](const PlanBeat<kDefaultConfig>& plan) { return probe_colour(static_cast<int>(plan.probes.raw())); });
 }
 
 void write_level_map(OutputFiles& outputs, const std::filesystem::path& path, const Picture& picture, int last_level) {

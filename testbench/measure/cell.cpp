@@ -83,10 +83,10 @@ Cell measure_cell(const Contestant& contestant, const Exhibit& exhibit, const st
   }
   const FloatPicture& picture = renderings.front().picture;
   const FloatPicture& truth = truths.front().gaussian;
-  cell.detail_png = base64(detail_png(picture, detail, exhibit.srgb(), exhibit.channels()));
-  cell.difference_png = base64(detail_png(difference(picture, truth, kDifferenceGain), detail, false, 3));
+  cell.detail_png = page::base64(detail_png(picture, detail, exhibit.srgb(), exhibit.channels()));
+  cell.difference_png = page::base64(detail_png(difference(picture, truth, kDifferenceGain), detail, false, 3));
   if (!renderings.front().probes.empty()) {
-    cell.probes_png = base64(probes_png(renderings.front().probes, picture.width, detail));
+    cell.probes_png = page::base64(probes_png(renderings.front().probes, picture.width, detail));
   }
   return cell;
 }
