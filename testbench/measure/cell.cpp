@@ -24,10 +24,10 @@ CellErrors pool(const std::vector<Rendering>& renderings, const std::vector<Trut
     if (i == 0 || errors.worst > pooled.errors.worst) pooled.errors = errors;
     pooled.errors.mean_square = mean;
     if (i == 0) continue;
-    pooled.shimmer = pooled.shimmer.value_or(0) +
-                     temporal_mean_square(renderings[i - 1].picture, truths[i - 1].*truth, renderings[i].picture,
-                                          truths[i].*truth, channels) /
-                         (frames - 1);
+    pooled.shimmer =
+        pooled.shimmer.value_or(0) + temporal_mean_square(renderings[i - 1].picture, truths[i - 1].*truth,
+                                                          renderings[i].picture, truths[i].*truth, channels) /
+                                         (frames - 1);
   }
   pooled.visible = visible_difference(renderings.front().picture, truths.front().*truth, exhibit.srgb(), channels);
   return pooled;
@@ -92,15 +92,10 @@ Cell measure_cell(const Contestant& contestant, const Exhibit& exhibit, const st
 }
 
 nlohmann::ordered_json to_json(const Cell& cell) {
-  nlohmann::ordered_json json{{"exhibit", cell.exhibit},
-                              {"contestant", cell.contestant},
-                              {"gaussian", to_json(cell.gaussian)},
-                              {"box", to_json(cell.box)},
-                              {"nanoseconds", cell.nanoseconds},
-                              {"probes", cell.cost.probes},
-                              {"texels", cell.cost.texels},
-                              {"cycles", cell.cost.cycles},
-                              {"stamp_cycles", cell.cost.stamp_cycles}};
+  nlohmann::ordered_json json{
+      {"exhibit", cell.exhibit},    {"contestant", cell.contestant},   {"gaussian", to_json(cell.gaussian)},
+      {"box", to_json(cell.box)},   {"nanoseconds", cell.nanoseconds}, {"probes", cell.cost.probes},
+      {"texels", cell.cost.texels}, {"cycles", cell.cost.cycles},      {"stamp_cycles", cell.cost.stamp_cycles}};
   if (cell.rtl_cycles) json["rtl_cycles"] = *cell.rtl_cycles;
   json["detail_png"] = cell.detail_png;
   json["difference_png"] = cell.difference_png;

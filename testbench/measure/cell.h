@@ -15,8 +15,8 @@ namespace feline {
 // Against one truth; means are over all frames.
 struct CellErrors {
   Errors errors;
-  double visible = 0;                // part of the pixels, of the first frame
-  std::optional<double> shimmer;     // mean square, of a sequence
+  double visible = 0;             // part of the pixels, of the first frame
+  std::optional<double> shimmer;  // mean square, of a sequence
 };
 
 // One contestant on one exhibit: error and run time. Costs are means a pixel.

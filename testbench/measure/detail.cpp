@@ -57,7 +57,8 @@ std::vector<std::byte> probes_png(std::span<const float> probes, int width, cons
   std::vector<std::uint8_t> bytes;
   for (int row = detail.top; row < detail.top + rows; ++row) {
     for (int column = detail.left; column < detail.left + columns; ++column) {
-      const auto pixel = static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
+      const auto pixel =
+          static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
       for (const int channel : probe_colour(static_cast<int>(probes[pixel]))) {
         bytes.push_back(static_cast<std::uint8_t>(channel));
       }

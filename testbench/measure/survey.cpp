@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "testbench/measure/survey.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+
+#include "testbench/measure/truth_store.h"
+#include "testbench/page/html.h"
+#include "testbench/progress.h"
+
+namespace feline {
+namespace {
+
+constexpr int kDetailSize = 96;
+// What pieces of work take beside a cell, for the progress bar.
+constexpr std::uint64_t kTruthWork = 20;
+
+nlohmann::ordered_json to_json(const TruthFacts& facts) {
+  return {{"gaussian_error", facts.gaussian_error},
+          {"box_error", facts.box_error},
+          {"samples", facts.samples},
+          {"left", facts.detail.left},
+          {"top", facts.detail.top},
+          {"size", facts.detail.size},
+          {"overview_png", facts.overview_png},
+          {"gaussian_png", facts.gaussian_png},
+          {"box_png", facts.box_png}};
+}
+
+TruthFacts facts_from_json(const nlohmann::ordered_json& json) {
+  return {json.at("gaussian_error"), json.at("box_error"),
+          json.at("samples"),        {json.at("left"), json.at("top"), json.at("size")},
+          json.at("overview_png"),   json.at("gaussian_png"),
+          json.at("box_png")};
+}
+
+nlohmann::ordered_json to_json(const Split& split) {
+  return {{"kernel", split.kernel}, {"feline", split.feline}, {"table", split.table}, {"arithmetic", split.arithmetic}};
+}
+
+Split split_from_json(const nlohmann::ordered_json& json) {
+  return {json.at("kernel"), json.at("feline"), json.at("table"), json.at("arithmetic")};
+}
+
+// The pictures between which the unit's error is split.
+struct SplitNames {
+  std::string_view kernel, ideal, table, unit;
+};
+constexpr std::array<SplitNames, 2> kSplits{
+    {{"bilinear", "feline_ideal", "feline_table", "unit_table"},
+     {"gaussian", "feline_ideal_gaussian", "feline_table_gaussian", "unit_table_gaussian"}}};
+
+// One exhibit's share of a survey: builds what it needs when it needs it.
+class Work {
+ public:
+  Work(const ExhibitPlan& plan, const SurveyOptions& options, const Cache& cache)
+      : plan_(plan), cache_(cache), strata_(options.strata), seed_(options.seed) {}
+
+  TruthFacts truth() {
+    return through_cache<TruthFacts>("facts", facts_from_json, [&] { return make_facts(); });
+  }
+  Cell cell(const Contestant& contestant) {
+    return through_cache<Cell>("cell " + contestant.name, cell_from_json,
+                               [&] { return measure_cell(contestant, exhibit(), truths(), truth().detail); });
+  }
+  Split split(const SplitNames& names) {
+    return through_cache<Split>(fmt::format("split {}", names.kernel), split_from_json,
+                                [&] { return make_split(names); });
+  }
+
+ private:
+  template <typename Result, typename Parse, typename Make>
+  Result through_cache(const std::string& what, Parse parse, Make make) {
+    const std::string key = cache_key(what);
+    if (const auto stored = cache_.read(key)) return parse(nlohmann::ordered_json::parse(*stored));
+    const Result result = make();
+    cache_.write(key, to_json(result).dump());
+    return result;
+  }
+
+  std::string cache_key(const std::string& what) const {
+    return cache_.key({what, plan_.identity, std::to_string(strata_), std::to_string(seed_)});
+  }
+
+  const Exhibit& exhibit() {
+    if (!exhibit_) exhibit_ = plan_.build();
+    return *exhibit_;
+  }
+
+  const std::vector<Truth>& truths() {
+    for (std::size_t i = truths_.size(); i < static_cast<std::size_t>(plan_.frame_count); ++i) {
+      const std::string key = cache_key(fmt::format("truth {}", i));
+      if (const auto stored = cache_.read(key)) {
+        truths_.push_back(truth_from_bytes(*stored));
+        continue;
+      }
+      truths_.push_back(compute_truth(exhibit().frames[i], strata_, seed_ + i, nullptr));
+      cache_.write(key, to_bytes(truths_.back()));
+    }
+    return truths_;
+  }
+
+  TruthFacts make_facts() {
+    const Truth& first = truths().front();
+    const FloatPicture trilinear = find_contestant("trilinear")->render(exhibit().frames.front(), nullptr).picture;
+    TruthFacts facts;
+    for (const Truth& frame : truths()) {
+      facts.gaussian_error = std::max(facts.gaussian_error, frame.gaussian_error);
+      facts.box_error = std::max(facts.box_error, frame.box_error);
+    }
+    facts.samples = first.samples;
+    facts.detail = find_detail(trilinear, first.gaussian, kDetailSize);
+    const bool srgb = exhibit().srgb();
+    const int channels = exhibit().channels();
+    facts.overview_png = page::base64(picture_png(first.gaussian, srgb, channels));
+    facts.gaussian_png = page::base64(detail_png(first.gaussian, facts.detail, srgb, channels));
+    facts.box_png = page::base64(detail_png(first.box, facts.detail, srgb, channels));
+    return facts;
+  }
+
+  Split make_split(const SplitNames& names) {
+    const auto picture = [&](std::string_view name) {
+      return find_contestant(name)->render(exhibit().frames.front(), nullptr).picture;
+    };
+    const FloatPicture ideal = picture(names.ideal);
+    const FloatPicture table = picture(names.table);
+    const int channels = exhibit().channels();
+    return {std::string(names.kernel), compare(ideal, truths().front().gaussian, channels).mean_square,
+            compare(table, ideal, channels).mean_square, compare(picture(names.unit), table, channels).mean_square};
+  }
+
+  const ExhibitPlan& plan_;
+  const Cache& cache_;
+  int strata_;
+  std::uint64_t seed_;
+  std::optional<Exhibit> exhibit_;
+  std::vector<Truth> truths_;
+};
+
+class Clock {
+ public:
+  explicit Clock(std::optional<double> budget) : budget_(budget) {}
+  bool over() const {
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
+    return budget_ && spent.count() > *budget_;
+  }
+
+ private:
+  std::optional<double> budget_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+Survey run_survey(const SurveyOptions& options, const Cache& cache) {
+  const Clock clock(options.budget);
+  const std::uint64_t pieces = options.contestants.size() + kSplits.size();
+  Progress progress("measuring", options.exhibits.size() * (kTruthWork + pieces));
+  Survey survey;
+  for (const ExhibitPlan& plan : options.exhibits) {
+    ExhibitResult result{plan, std::nullopt, {}, {}};
+    Work work(plan, options, cache);
+    const auto piece = [&](std::uint64_t amount, const auto& measure) {
+      if (clock.over()) {
+        ++survey.missing;
+      } else {
+        measure();
+      }
+      progress.advance(amount);
+    };
+    piece(kTruthWork, [&] { result.truth = work.truth(); });
+    for (const Contestant* const contestant : options.contestants) {
+      piece(1, [&] { result.cells.push_back(work.cell(*contestant)); });
+    }
+    for (const SplitNames& names : kSplits) {
+      piece(1, [&] { result.splits.push_back(work.split(names)); });
+    }
+    survey.results.push_back(std::move(result));
+  }
+  return survey;
+}
+
+}  // namespace feline
