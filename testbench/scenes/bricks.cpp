@@ -58,8 +58,6 @@ Colour brick_at(double u, double v) {
   return mix(mortar, clay_colour, smooth_step(0.0, 1.0, inside));
 }
 
-MipLevel paint_bricks() { return paint_rgba(kSize, kSize, brick_at); }
-
 TexturePoint project_bricks(const Dual& x, const Dual& y) {
   constexpr GroundView kView = {.top = 0.055,
                                 .bottom = 0.855,
@@ -73,6 +71,8 @@ TexturePoint project_bricks(const Dual& x, const Dual& y) {
 }
 
 }  // namespace
+
+MipLevel paint_bricks() { return paint_rgba(kSize, kSize, brick_at); }
 
 Scene bricks_scene() {
   return {"bricks",

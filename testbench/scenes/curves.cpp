@@ -28,8 +28,6 @@ Colour curve_at(double u, double v) {
   return mix(kInks[ink], kPaper, smooth_step(0.22, 0.5 * pitch, from_line));
 }
 
-MipLevel paint_curves() { return paint_rgba(kSize, kSize, curve_at); }
-
 TexturePoint project_curves(const Dual& x, const Dual& y) {
   constexpr GroundView kView = {.top = 0.10,
                                 .bottom = 0.80,
@@ -43,6 +41,8 @@ TexturePoint project_curves(const Dual& x, const Dual& y) {
 }
 
 }  // namespace
+
+MipLevel paint_curves() { return paint_rgba(kSize, kSize, curve_at); }
 
 Scene curves_scene() {
   return {"curves",

@@ -49,4 +49,12 @@ inline Dual wave(const Dual& a) {
   return 1.28 * f * (7.0 / 3.0 - 10.0 / 3.0 * square + square * square);
 }
 
+// Its derivative, for normals of surfaces that it shapes.
+inline Dual wave_slope(const Dual& a) {
+  const double period = 2.0 * std::floor((a.value + 1.0) / 2.0);
+  const Dual f = a - Dual(period);
+  const Dual square = f * f;
+  return 1.28 * (7.0 / 3.0 - 10.0 * square + 5.0 * square * square);
+}
+
 }  // namespace feline

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
+#include <string_view>
 
 #include "testbench/scenes/builtin.h"
 #include "testbench/scenes/font.h"
@@ -64,40 +65,67 @@ Colour runway_at(double u, double v) {
 
 MipLevel paint_runway() { return paint_rgba(kSize, kSize, runway_at); }
 
-// The airfield is one rectangle in front of a camera at height 1, which looks ahead over a picture
-// from slope kTop to kBottom below the horizon; it reaches beyond the picture on all sides.
-constexpr double kTop = 0.06;
-constexpr double kBottom = 0.76;
-constexpr double kPictureWidth = 0.7;
-constexpr double kTile = 5.0;  // units a texture repeat
+// A camera at height 1 looks ahead over a picture from slope top to slope bottom below the horizon.
+// The airfield is one rectangle in front of it, which reaches beyond the picture on all sides.
+struct RunwayView {
+  double top;
+  double bottom;  // bottom - top is the picture's height, and its width
+  double near;
+  double far;
+  double side;   // half of the rectangle's width
+  double tile;   // units a texture repeat
+  double begin;  // t below the camera
 
-constexpr Vertex vertex(double side, double ahead) {
-  return {0.5 + side / (ahead * kPictureWidth), (1.0 / ahead - kTop) / (kBottom - kTop), ahead, 0.5 + side / kTile,
-          1.3 - ahead / kTile};
-}
+  constexpr Vertex vertex(double aside, double ahead) const {
+    const double extent = bottom - top;
+    return {0.5 + aside / (ahead * extent), (1.0 / ahead - top) / extent, ahead, 0.5 + aside / tile,
+            begin - ahead / tile};
+  }
+};
 
+template <RunwayView kView>
 TexturePoint project_runway(const Dual& x, const Dual& y) {
-  constexpr double kNear = 1.3;
-  constexpr double kFar = 17.0;
-  constexpr double kSide = 6.5;
-  constexpr Vertex kNearLeft = vertex(-kSide, kNear);
-  constexpr Vertex kNearRight = vertex(kSide, kNear);
-  constexpr Vertex kFarLeft = vertex(-kSide, kFar);
-  constexpr Vertex kFarRight = vertex(kSide, kFar);
+  constexpr Vertex kNearLeft = kView.vertex(-kView.side, kView.near);
+  constexpr Vertex kNearRight = kView.vertex(kView.side, kView.near);
+  constexpr Vertex kFarLeft = kView.vertex(-kView.side, kView.far);
+  constexpr Vertex kFarRight = kView.vertex(kView.side, kView.far);
   static constexpr PerspectiveTriangle kLeft({kNearLeft, kNearRight, kFarLeft});
   static constexpr PerspectiveTriangle kRight({kNearRight, kFarRight, kFarLeft});
   return (kLeft.covers(x.value, y.value) ? kLeft : kRight).interpolate(x, y);
 }
 
+// A pixel's footprint is 1 / slope times as long as it is wide: the pitch of the line of sight decides.
+constexpr RunwayView kSteep = {
+    .top = 0.465, .bottom = 1.165, .near = 0.8, .far = 2.3, .side = 0.9, .tile = 1.2, .begin = 1.82};
+constexpr RunwayView kMiddle = {
+    .top = 0.18, .bottom = 0.88, .near = 1.1, .far = 5.8, .side = 2.2, .tile = 2.4, .begin = 1.5};
+constexpr RunwayView kShallow = {
+    .top = 0.06, .bottom = 0.76, .near = 1.3, .far = 17.0, .side = 6.5, .tile = 5.0, .begin = 1.3};
+constexpr RunwayView kLow = {
+    .top = 0.0375, .bottom = 0.3875, .near = 2.5, .far = 28.0, .side = 5.2, .tile = 5.0, .begin = 1.4};
+
+template <RunwayView kView>
+Scene make_runway(std::string_view name, std::string_view description) {
+  return {name, description, TexelFormat::kRgba8, false, paint_runway, project_runway<kView>};
+}
+
 }  // namespace
 
+Scene runway_steep_scene() {
+  return make_runway<kSteep>("runway_steep", "the runway from high above: footprints about twice as long as wide");
+}
+
+Scene runway_middle_scene() {
+  return make_runway<kMiddle>("runway_middle",
+                              "the runway at a middle pitch angle: about 5 times as long as wide in the distance");
+}
+
 Scene runway_scene() {
-  return {"runway",
-          "a runway at a low pitch angle, two triangles interpolated with perspective",
-          TexelFormat::kRgba8,
-          false,
-          paint_runway,
-          project_runway};
+  return make_runway<kShallow>("runway", "a runway at a low pitch angle, two triangles interpolated with perspective");
+}
+
+Scene runway_low_scene() {
+  return make_runway<kLow>("runway_low", "the runway at the lowest pitch angle: beyond 16 times as long as wide");
 }
 
 }  // namespace feline

@@ -40,8 +40,10 @@ Texture Scene::texture(MipFilter filter, MipEdge edge) const {
 Lookup Scene::lookup(double x, double y) const { return round_lookup(project_at(*this, x, y), 1.0, 1.0); }
 
 std::span<const Scene> scenes() {
-  static const std::array<Scene, 8> all = {bricks_scene(), curves_scene(), text_scene(),   checkerboard_scene(),
-                                           runway_scene(), window_scene(), sphere_scene(), magnify_scene()};
+  static const std::array all = {bricks_scene(),       curves_scene(),        text_scene(),      checkerboard_scene(),
+                                 runway_steep_scene(), runway_middle_scene(), runway_scene(),    runway_low_scene(),
+                                 window_scene(),       sphere_scene(),        reflector_scene(), magnify_scene(),
+                                 repeat_scene(),       tessellated_scene(),   spin_scene()};
   return all;
 }
 
@@ -53,6 +55,19 @@ const Scene& find_scene(std::string_view name) {
     legal += fmt::format("{}{}", legal.empty() ? "" : ", ", scene.name);
   }
   bad_input("scene", "name", name, legal);
+}
+
+int frame_count(const Scene& scene) { return 1 + static_cast<int>(scene.later_frames.size()); }
+
+Scene frame(const Scene& scene, int index) {
+  if (index < 0 || index >= frame_count(scene)) {
+    bad_input(fmt::format("scene {}", scene.name), "frame", std::to_string(index),
+              fmt::format("0 to {}", frame_count(scene) - 1));
+  }
+  Scene still = scene;
+  if (index > 0) still.project = scene.later_frames[static_cast<std::size_t>(index) - 1];
+  still.later_frames = {};
+  return still;
 }
 
 GBuffer make_gbuffer(const Scene& scene, int width, int height) {

@@ -129,7 +129,7 @@ TEST(program, every_command_tells_json) {
   const auto scene = json("scene --scene runway --size 20x10 --output " + path(dir, ""));
   EXPECT_TRUE(fs::exists(scene["gbuffer"].get<std::string>()));
   EXPECT_TRUE(fs::exists(scene["texture"].get<std::string>()));
-  EXPECT_EQ(json("scene --list").size(), 8U);
+  EXPECT_EQ(json("scene --list").size(), 15U);
   const auto rendered = json("render --size 8 --map --output " + path(dir, "a.png"));
   EXPECT_TRUE(fs::exists(rendered["probe_map"].get<std::string>()));
   EXPECT_EQ(rendered["status"]["overflow"], 0);

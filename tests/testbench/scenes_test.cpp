@@ -19,51 +19,17 @@
 namespace feline {
 namespace {
 
-constexpr std::array<std::string_view, 8> kNames = {"bricks", "curves", "text",   "checkerboard",
-                                                    "runway", "window", "sphere", "magnify"};
+constexpr std::array<std::string_view, 15> kNames = {
+    "bricks", "curves", "text",      "checkerboard", "runway_steep", "runway_middle", "runway", "runway_low",
+    "window", "sphere", "reflector", "magnify",      "repeat",       "tessellated",   "spin"};
 
-// The ellipse of a pixel in texels of level 0: singular values of the gradients' matrix.
-struct Footprint {
-  double major;
-  double minor;
-  double cosine;  // between the gradients, 0 when square
-};
-
-Footprint footprint(const Lookup& lookup, const MipLevel& level) {
-  const double a = double{lookup.dsdx} * level.width;
-  const double b = double{lookup.dtdx} * level.height;
-  const double c = double{lookup.dsdy} * level.width;
-  const double d = double{lookup.dtdy} * level.height;
-  const double sum = a * a + b * b + c * c + d * d;
-  const double area = std::abs(a * d - b * c);
-  const double major = std::sqrt((sum + std::sqrt(std::max(0.0, sum * sum - 4 * area * area))) / 2);
-  const double lengths = std::sqrt((a * a + b * b) * (c * c + d * d));
-  return {major, area / major, std::abs(a * c + b * d) / lengths};
-}
-
-struct Statistics {
-  double anisotropy_95 = 0;  // 95th percentile
-  double anisotropy_max = 0;
-  double leaning = 0;    // part of the pairs more than 30 degrees off square
-  double major_max = 0;  // texels
-};
-
-Statistics measure(std::string_view name, int size) {
-  const Scene& scene = find_scene(name);
-  const MipLevel level = scene.paint();
-  std::vector<double> anisotropies;
-  Statistics statistics;
-  const GBuffer gbuffer = make_gbuffer(scene, size, size);
-  for (const Lookup& lookup : gbuffer.lookups) {
-    const Footprint pixel = footprint(lookup, level);
-    anisotropies.push_back(pixel.major / pixel.minor);
-    statistics.leaning += pixel.cosine > 0.5 ? 1.0 / (size * size) : 0.0;
-    statistics.major_max = std::max(statistics.major_max, pixel.major);
+// Every frame of every scene.
+std::vector<Scene> all_stills() {
+  std::vector<Scene> stills;
+  for (const Scene& scene : scenes()) {
+    for (int i = 0; i < frame_count(scene); ++i) stills.push_back(frame(scene, i));
   }
-  std::ranges::sort(anisotropies);
-  statistics.anisotropy_95 = anisotropies[anisotropies.size() * 95 / 100];
-  statistics.anisotropy_max = anisotropies.back();
-  return statistics;
+  return stills;
 }
 
 TEST(scenes, names_and_lookup) {
@@ -74,14 +40,14 @@ TEST(scenes, names_and_lookup) {
     EXPECT_FALSE(scenes()[i].description.empty());
   }
   EXPECT_EQ(input_error([] { find_scene("brick"); }),
-            "scene: name: got brick, legal is bricks, curves, text, checkerboard, runway, window, "
-            "sphere, magnify");
+            "scene: name: got brick, legal is bricks, curves, text, checkerboard, runway_steep, "
+            "runway_middle, runway, runway_low, window, sphere, reflector, magnify, repeat, tessellated, spin");
 }
 
 // Analytic against central differences in double, at points off any pixel grid.
 TEST(scenes, derivatives_match_finite_differences) {
   constexpr double kStep = 1e-6;
-  for (const Scene& scene : scenes()) {
+  for (const Scene& scene : all_stills()) {
     const auto value = [&](double x, double y) { return scene.project(Dual(x), Dual(y)); };
     for (double y = 0.013; y < 1; y += 0.0371) {
       for (double x = 0.017; x < 1; x += 0.0413) {
@@ -102,7 +68,8 @@ TEST(scenes, derivatives_match_finite_differences) {
 }
 
 TEST(scenes, every_lookup_is_finite_and_moderate) {
-  for (const Scene& scene : scenes()) {
+  for (const Scene& scene : all_stills()) {
+    const MipLevel base = scene.paint();
     for (const auto& [width, height] : {std::pair{128, 128}, {97, 31}, {1, 1}}) {
       const GBuffer gbuffer = make_gbuffer(scene, width, height);
       ASSERT_EQ(gbuffer.lookups.size(), static_cast<std::size_t>(width * height));
@@ -110,9 +77,9 @@ TEST(scenes, every_lookup_is_finite_and_moderate) {
         for (const float value : {l.s, l.t, l.dsdx, l.dtdx, l.dsdy, l.dtdy}) {
           ASSERT_TRUE(std::isfinite(value)) << scene.name;
         }
-        // Beyond 64 repeats float32 would have less than the unit's 8 sub-texel bits at 1024 texels.
-        ASSERT_LT(std::abs(l.s), 64.0f) << scene.name;
-        ASSERT_LT(std::abs(l.t), 64.0f) << scene.name;
+        // Beyond 2^16 texels float32's 24 bits would hold less than the unit's 8 sub-texel bits.
+        ASSERT_LT(std::abs(l.s) * static_cast<float>(base.width), 65536.0f) << scene.name;
+        ASSERT_LT(std::abs(l.t) * static_cast<float>(base.height), 65536.0f) << scene.name;
       }
     }
   }
@@ -120,7 +87,7 @@ TEST(scenes, every_lookup_is_finite_and_moderate) {
 
 // A pixel of 3 x 5 covers 3 x 5 of 9 x 25; its centre is the centre of the middle one.
 TEST(scenes, resolution_changes_the_pixels_only) {
-  for (const Scene& scene : scenes()) {
+  for (const Scene& scene : all_stills()) {
     const GBuffer coarse = make_gbuffer(scene, 3, 5);
     const GBuffer fine = make_gbuffer(scene, 9, 25);
     for (std::size_t row = 0; row < 5; ++row) {
@@ -155,29 +122,6 @@ TEST(scenes, textures) {
   EXPECT_EQ(window.levels[9].width, 1);
 }
 
-TEST(scenes, ground_anisotropy_reaches_what_the_slope_says) {
-  const Statistics bricks = measure("bricks", 256);
-  EXPECT_GT(bricks.anisotropy_max, 16);
-  EXPECT_LT(bricks.anisotropy_max, 22);
-  EXPECT_GT(measure("runway", 256).anisotropy_max, 15);
-  EXPECT_GT(measure("text", 256).anisotropy_max, 8);
-}
-
-TEST(scenes, window_is_extreme) {
-  const Statistics window = measure("window", 256);
-  EXPECT_GT(window.leaning, 0.5);
-  EXPECT_GT(window.anisotropy_95, 20);
-}
-
-// As the rippled sphere of the measured peers: 61 % leaning, 95th percentile 34.
-TEST(scenes, sphere_leans) {
-  const Statistics sphere = measure("sphere", 256);
-  EXPECT_GT(sphere.leaning, 0.5);
-  EXPECT_GT(sphere.anisotropy_95, 20);
-}
-
-TEST(scenes, magnify_is_eight_times_at_512) { EXPECT_NEAR(measure("magnify", 512).major_max, 1.0 / 8, 1e-6); }
-
 // A square seen from the side: half of the depth range is not half of the screen.
 TEST(scenes, interpolation_is_perspective_correct) {
   const PerspectiveTriangle triangle({{{0, 0, 1, 0, 0}, {1, 0, 3, 1, 0}, {0, 1, 1, 0, 1}}});
@@ -198,6 +142,24 @@ TEST(scenes, font_has_every_letter_and_no_two_alike) {
       EXPECT_NE(glyph(c), glyph('\x7f')) << c;
     }
   }
+}
+
+TEST(scenes, frames_are_stills) {
+  const Scene& spin = find_scene("spin");
+  ASSERT_EQ(frame_count(spin), 8);
+  EXPECT_NE(spin.description.find("sequence of 8 frames"), std::string_view::npos);
+  std::set<Projection*> projections;
+  for (int i = 0; i < 8; ++i) {
+    const Scene still = frame(spin, i);
+    EXPECT_EQ(frame_count(still), 1);
+    EXPECT_EQ(still.name, spin.name);
+    projections.insert(still.project);
+  }
+  EXPECT_EQ(projections.size(), 8u);
+  EXPECT_EQ(frame(spin, 0).project, spin.project);
+  for (const Scene& scene : scenes()) EXPECT_EQ(frame_count(scene), scene.name == "spin" ? 8 : 1);
+  EXPECT_EQ(input_error([&] { frame(spin, 8); }), "scene spin: frame: got 8, legal is 0 to 7");
+  EXPECT_EQ(input_error([] { frame(find_scene("text"), -1); }), "scene text: frame: got -1, legal is 0 to 0");
 }
 
 TEST(scenes, size_limits) {
