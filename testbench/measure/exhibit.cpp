@@ -12,7 +12,7 @@ Exhibit build_scene(const Scene& scene, int width, int height, int frame_count) 
   Exhibit exhibit;
   exhibit.surface = std::make_unique<Surface>(make_surface(scene.texture(), {}, MipEdge::kRepeat));
   for (int i = 0; i < frame_count; ++i) {
-    exhibit.frames.push_back(make_view(scene_frame(scene, i), *exhibit.surface, width, height));
+    exhibit.frames.push_back(make_view(frame(scene, i), *exhibit.surface, width, height));
   }
   return exhibit;
 }
@@ -23,7 +23,7 @@ ExhibitPlan plan_exhibit(const Scene& scene, int width, int height) {
   ExhibitPlan plan;
   plan.name = scene.name;
   plan.description = scene.description;
-  plan.frame_count = 1 + static_cast<int>(scene.later_frames.size());
+  plan.frame_count = frame_count(scene);
   const int divisor = plan.frame_count > 1 ? 2 : 1;
   plan.width = std::max(width / divisor, 1);
   plan.height = std::max(height / divisor, 1);

@@ -136,8 +136,8 @@ Truth resolve(const std::vector<PixelSums>& sums, int width, int height, int sam
 
 }  // namespace
 
-Truth compute_truth(const reference::MipMap& map, const Projection& projection, int width, int height, int strata,
-                    std::uint64_t seed, Progress* progress) {
+Truth compute_truth(const reference::MipMap& map, const PictureProjection& projection, int width, int height,
+                    int strata, std::uint64_t seed, Progress* progress) {
   constexpr int kRows = 8;
   std::vector<PixelSums> sums(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   std::mutex mutex;

@@ -26,13 +26,13 @@ struct Truth {
 };
 
 // A point of the surface, normalized coordinates, from a point of the picture in pixels, beyond its edges too.
-using Projection = std::function<reference::Vector2<double>(double x, double y)>;
+using PictureProjection = std::function<reference::Vector2<double>(double x, double y)>;
 
 // Of a surface that can be asked everywhere: samples serve all pixels around them. `strata`: cells a pixel side and
 // half; 23 make 2 * 23^2 = 1058 samples a pixel.
 inline constexpr int kTruthStrata = 23;
-Truth compute_truth(const reference::MipMap& map, const Projection& projection, int width, int height, int strata,
-                    std::uint64_t seed, Progress* progress);
+Truth compute_truth(const reference::MipMap& map, const PictureProjection& projection, int width, int height,
+                    int strata, std::uint64_t seed, Progress* progress);
 
 // Of a G-buffer, which knows each pixel's middle only: the footprint is affine, as its gradients say.
 Truth compute_truth(const reference::MipMap& map, const GBuffer& gbuffer, int strata, std::uint64_t seed,

@@ -27,7 +27,7 @@ struct View {
   std::string name;
   const Surface* surface = nullptr;
   GBuffer gbuffer;
-  Projection projection;                 // none for a G-buffer of a user's own
+  PictureProjection projection;          // none for a G-buffer of a user's own
   std::vector<reference::Pixel> pixels;  // what the filters are told, but for the axes
   std::vector<Fragment> fragments;       // of the scene's mesh, one a pixel; none for a G-buffer of a user's own
   std::vector<reference::Gradients<double>> vertex_gradients;  // of the mesh, per pixel
