@@ -106,7 +106,7 @@ inline Level natural_level(int size, int highest, int waves, Random& random) {
   for (int i = 0; i < waves; ++i) {
     const double kx = static_cast<double>(random.between(-highest, highest));
     const double ky = static_cast<double>(random.between(-highest, highest));
-    sum.push_back({kx, ky, random.real(0, 2 * std::numbers::pi), 1 / (1 + std::hypot(kx, ky))});
+    sum.push_back({kx, ky, random.real(0, 2 * std::numbers::pi), 0.5 / (1 + std::hypot(kx, ky))});
   }
   return level_of(size, size, [&](double s, double t) {
     double value = 0.5;
