@@ -77,7 +77,7 @@ TEST(reference_vertex_based, spacing_is_the_distance_to_neighbours) {
     double nearest = 2;
     for (std::size_t i = 0; i < pattern.probes.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) nearest = std::min(nearest, length(pattern.probes[i] - pattern.probes[j]));
-    EXPECT_NEAR(pattern.spacing, nearest, 0.13 * nearest) << pattern.probes.size();
+    EXPECT_NEAR(pattern.spacing, nearest, 1e-15) << pattern.probes.size();
   }
   const auto line = line_pattern(3);
   EXPECT_NEAR(line.spacing, 0.5, 1e-15);  // -1/2, 0, 1/2: set in by a spacing
