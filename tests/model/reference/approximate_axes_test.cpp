@@ -216,6 +216,12 @@ TEST(reference_approximate_axes, table_of_degenerate_gradients) {
   EXPECT_EQ(length(none.major), 0);
   const auto tie = table_axes({{5, 0}, {0, 5}});  // y is the longer one
   EXPECT_LT(std::abs(tie.major.u), std::abs(tie.major.v));
+  for (const double scale : {0x1p-1060, 0x1p-600, 0x1p600, 0x1p1000}) {  // products of which are zero or infinite
+    const Gradients<double> g{{13, 0}, {12, 5}};
+    const auto far = table_axes({scale * g.x, scale * g.y});
+    EXPECT_NEAR(far.major_radius / scale, table_axes(g).major_radius, 0.02);
+    EXPECT_NEAR(angle_between_lines({far.major.u / scale, far.major.v / scale}, table_axes(g).major), 0, 2e-3);
+  }
   for (const double major : {2.0, 5.0, 11.0}) {  // orthogonal and parallel vectors turn the axis by a cell at most
     const auto right = table_axes({{major, 0}, {0, 1}});
     EXPECT_NEAR(angle_between_lines(right.major, {1, 0}), 0, 1.0 / 16);
