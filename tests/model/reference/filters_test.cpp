@@ -6,10 +6,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
 
+#include "model/reference/approximate_axes.h"
+#include "model/reference/ewa.h"
+#include "model/reference/ext.h"
+#include "model/reference/feline.h"
+#include "model/reference/isotropic.h"
+#include "model/reference/texram.h"
 #include "tests/support/measured.h"
 #include "tests/support/random.h"
 #include "tests/support/reference_ewa.h"
@@ -32,6 +39,89 @@ TEST(reference_filters, have_names) {
   }
   EXPECT_EQ(find_filter("none"), nullptr);
   EXPECT_EQ(find_filter(""), nullptr);
+}
+
+// Section 4: mip-maps by a Lanczos filter, for EWA by a box filter.
+TEST(reference_filters, read_their_images) {
+  const auto of = [](double value) {
+    return map_of(32, 32, kRepeated, [=](double, double, int) { return grey(value); });
+  };
+  const Images images{of(0.25), of(0.5),
+                      rip_of(32, 32, kRepeated, [](double, double, int, int) { return grey(0.75); })};
+  for (const Filter& filter : filters()) {
+    Cost cost;
+    const auto got = filtered(filter, images, lookup_at(images.box.base(), 9, 9, {{4, 1}, {0, 2}}), cost);
+    EXPECT_NEAR(got[0], is_ewa(filter) ? 0.5 : filter.name.starts_with("rip") ? 0.75 : 0.25, 1e-15) << filter.name;
+  }
+}
+
+// The rest by their names, of at most 16 probes.
+TEST(reference_filters, other_variants) {
+  const SeedTrace trace(__FILE__, __LINE__);
+  Random random = random_for("reference_filters.other_variants");
+  const auto noise = box_map(noise_level(64, 64, random), kRepeated);
+  const Images images{noise, noise, {}};
+  using Run = std::function<Colour(const Lookup&, Cost&)>;
+  const std::map<std::string, Run> runs{
+      {"catmull_rom", [&](auto& l, Cost& c) { return bicubic_filter(noise, kCatmullRom, l, c); }},
+      {"mitchell", [&](auto& l, Cost& c) { return bicubic_filter(noise, kMitchell, l, c); }},
+      {"nearest", [&](auto& l, Cost& c) { return nearest_filter(noise, l, c); }},
+      {"nearest_mip", [&](auto& l, Cost& c) { return nearest_mip_filter(noise, l, c); }},
+      {"bilinear", [&](auto& l, Cost& c) { return bilinear_filter(noise, l, c); }},
+      {"bilinear_mip", [&](auto& l, Cost& c) { return bilinear_mip_filter(noise, l, c); }},
+      {"trilinear", [&](auto& l, Cost& c) { return trilinear_filter(noise, l, c); }},
+      {"ext", [&](auto& l, Cost& c) { return ext_filter(noise, 16, l, c); }},
+      {"texram", [&](auto& l, Cost& c) { return texram_filter(noise, 16, l, c); }},
+      {"ewa",
+       [&](auto& l, Cost& c) {
+         return ewa_filter(noise, {true, 16}, l, c);
+       }},
+      {"ewa_level0", [&](auto& l, Cost& c) {
+         return ewa_filter(noise, {false, 0}, l, c);
+       }}};
+  for (const auto& [name, run] : runs) {
+    const Filter* filter = find_filter(name);
+    ASSERT_NE(filter, nullptr) << name;
+    for (int i = 0; i < 50; ++i) {
+      const auto g = random_gradients(random, random.real(4, 60), random.real(0, 4));
+      const auto lookup = lookup_at(noise.base(), random.real(0, 64), random.real(0, 64), g);
+      Cost got_cost;
+      Cost want_cost;
+      EXPECT_EQ(filtered(*filter, images, lookup, got_cost), run(lookup, want_cost)) << name;
+      EXPECT_EQ(got_cost.cycles, want_cost.cycles) << name;
+    }
+  }
+}
+
+// Every Feline there is: three ways to the ellipse, three sets of factors (3.1 and 3.4), two kernels.
+TEST(reference_filters, feline_variants) {
+  const SeedTrace trace(__FILE__, __LINE__);
+  Random random = random_for("reference_filters.feline_variants");
+  const auto noise = box_map(noise_level(128, 128, random), kRepeated);
+  const Images images{noise, noise, {}};
+  const std::map<std::string, AxesFunction> kinds{
+      {"ideal", ellipse_axes<double>}, {"simple", simple_axes}, {"table", table_axes}};
+  const std::map<std::string, FelineParameters> sets{{"", {}},
+                                                     {"_high_quality", {true, 0.9625, 1.15625, 1.1532, 16}},
+                                                     {"_high_efficiency", {true, 0.9625, 1.3125, 1.3544, 16}}};
+  const std::map<std::string, ProbeKernel> kernels{{"", ProbeKernel::kBilinear}, {"_gaussian", ProbeKernel::kGaussian}};
+  for (const auto& [kind, axes] : kinds) {
+    for (const auto& [set, parameters] : sets) {
+      for (const auto& [kernel_name, kernel] : kernels) {
+        const Filter* filter = find_filter("feline_" + kind + set + kernel_name);
+        ASSERT_NE(filter, nullptr) << kind << set << kernel_name;
+        for (int i = 0; i < 50; ++i) {
+          const auto g = random_gradients(random, random.real(4, 60), random.real(0, 4));
+          const auto lookup = lookup_at(noise.base(), random.real(0, 128), random.real(0, 128), g);
+          Cost got_cost;
+          Cost want_cost;
+          const auto got = filtered(*filter, images, lookup, got_cost);
+          EXPECT_EQ(got, feline_filter(noise, axes, parameters, kernel, lookup, want_cost)) << filter->name;
+          EXPECT_EQ(got_cost.probes, want_cost.probes);
+        }
+      }
+    }
+  }
 }
 
 // Footprints of every size, shape and place, and of none; `most` is the power of ten of the greatest.
