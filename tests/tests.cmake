@@ -4,7 +4,7 @@
 include(GoogleTest)
 
 function(feline_tests room)
-  file(GLOB sources CONFIGURE_DEPENDS tests/${room}/*_test.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS tests/${room}/*_test.cpp tests/${room}/reference/*_test.cpp)
   add_executable(${room}_test ${sources} ${TESTS_SUPPORT})
   target_compile_options(${room}_test PRIVATE ${FELINE_WARNINGS} -O1)
   target_compile_definitions(${room}_test PRIVATE FELINE_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
@@ -23,7 +23,7 @@ set_source_files_properties(tests/tables/generated_test.cpp PROPERTIES COMPILE_O
 include(tests/rtl/faults.cmake)
 file(GLOB TESTS_SUPPORT CONFIGURE_DEPENDS tests/support/*.cpp)
 feline_tests(tables feline_tables)
-feline_tests(model feline_model)
+feline_tests(model feline_model feline_reference)
 feline_tests(testbench feline_bench)
 add_dependencies(testbench_test feline)
 feline_tests(rtl feline_bench feline_faulty)

@@ -37,8 +37,12 @@ Axes<double> table_axes(const Gradients<double>& gradients, const EllipseTable& 
   const double longer_length = std::max(x_length, y_length);
   if (longer_length == 0) return {{0, 0}, 0, 0};
   const double ratio = std::min(x_length, y_length) / longer_length;
-  const double cross = gradients.x.u * gradients.y.v - gradients.x.v * gradients.y.u;
-  const double dot = gradients.x.u * gradients.y.u + gradients.x.v * gradients.y.v;
+  // Near 1, products neither overflow nor vanish.
+  const double unit = unit_scale(gradients);
+  const Vector2<double> x{gradients.x.u / unit, gradients.x.v / unit};
+  const Vector2<double> y{gradients.y.u / unit, gradients.y.v / unit};
+  const double cross = x.u * y.v - x.v * y.u;
+  const double dot = x.u * y.u + x.v * y.v;
   const bool counter_clockwise = x_is_longer ^ (cross < 0) ^ (dot < 0);
   // The tangent serves the first half of the columns, the cotangent the second, which therefore runs backwards. A
   // shorter gradient of zero stands at a right angle.

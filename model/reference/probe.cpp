@@ -18,13 +18,14 @@ Place place(double coordinate) {
   return {static_cast<std::int64_t>(whole), coordinate - whole};
 }
 
-// Into one period, so that a whole part fits whatever the coordinate is.
+// Into one period, so that a whole part fits whatever the coordinate is; clamps to where even the widest kernel of the
+// smallest image reads nothing but what lies beyond the edge.
 double reduce(double coordinate, Wrap wrap) {
   switch (wrap) {
     case Wrap::kRepeat: return coordinate - std::floor(coordinate);
     case Wrap::kMirroredRepeat: return coordinate - 2 * std::floor(coordinate / 2);
-    case Wrap::kClampToEdge: return std::clamp(coordinate, 0.0, 1.0);
-    case Wrap::kClampToBorder: return std::clamp(coordinate, -1.0, 2.0);
+    case Wrap::kClampToEdge:
+    case Wrap::kClampToBorder: return std::clamp(coordinate, -2.0, 3.0);
   }
   return coordinate;
 }
@@ -38,14 +39,8 @@ double far_weight(ProbeKernel kernel, double fraction) {
 Colour nearest(const Level& level, const Wrapping& wrapping, double s, double t) {
   const Place x = place(reduce(s, wrapping.s) * level.width);
   const Place y = place(reduce(t, wrapping.t) * level.height);
-  // A clamped coordinate of exactly 1 belongs to the last texel.
-  const auto inside = [](std::int64_t whole, int size, Wrap wrap) {
-    return wrap == Wrap::kClampToEdge ? std::min<std::int64_t>(whole, size - 1) : whole;
-  };
   Colour colour{};
-  add_weighted(colour, 1,
-               wrapped_texel(level, wrapping, inside(x.whole, level.width, wrapping.s),
-                             inside(y.whole, level.height, wrapping.t)));
+  add_weighted(colour, 1, wrapped_texel(level, wrapping, x.whole, y.whole));
   return colour;
 }
 
