@@ -3,8 +3,9 @@
 //
 // Takes  s, t and the derivatives ds/dx, dt/dx, ds/dy, dt/dy, float32, normalized (1 = the texture's size).
 // Gives  s, t S20.24 textures; dudx, dvdx, dudy, dvdy S7.0 in texels of level 0 * 2^exponent; exponent S6.0.
-// Rounds s, t: nearest, ties away from zero. Mantissas: outward (away from zero), so that a footprint is never taken
-//        for smaller than it is and a growing one never shrinks; the largest magnitude is 64 .. 127.
+// Rounds s, t: nearest, ties away from zero. Mantissas: simple and table nearest, ties away from zero; the other modes
+//        outward (away from zero), so that a growing footprint never shrinks. The exponent is the least with which no
+//        rounded magnitude exceeds 127; the largest is then 64 .. 127.
 // Edges  Denormals are 0. |s| or |t| >= 2^19: the clamps saturate at 2^19, the repeats keep the value modulo 2^21.
 //        NaN coordinates are 0; infinite ones are +-2^19 (clamps) or 0 (repeats). A NaN or infinite derivative gives
 //        the unbounded footprint (127, 0), (0, 127), exponent 63. exponent > 63 saturates; exponent < -64 gives zeros
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <array>
 
+#include "model/features.h"
 #include "tables/rounding.h"
 #include "tables/sampler_state.h"
 
@@ -102,13 +104,19 @@ GroupBeat<kConfig> group(const RequestBeat<kConfig>& request, const SamplerState
     top = std::max(top, parts[i].exponent - 150 + bit_length(product[i]) - 1);
   }
   int exponent = top - (F::kMagnitudeBits - 1);
+  const Mode mode = supported_mode<kConfig>(static_cast<Mode>(sampler.mode.raw()));
+  const bool nearest = mode == Mode::kSimple || mode == Mode::kTable;
   std::array<std::int64_t, 4> magnitude{};
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (product[i] != 0) magnitude[i] = round_outward(product[i], exponent - (parts[i].exponent - 150));
-  }
+  const auto round_all = [&] {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const int bits = exponent - (parts[i].exponent - 150);
+      if (product[i] != 0) magnitude[i] = nearest ? round_away_ties(product[i], bits) : round_outward(product[i], bits);
+    }
+  };
+  round_all();
   if (std::ranges::any_of(magnitude, [](std::int64_t m) { return m > kMax; })) {
-    for (auto& m : magnitude) m = round_outward(m, 1);
     ++exponent;
+    round_all();
   }
   if (exponent < F::kExponent.min_raw()) {
     beat.exponent = beat.exponent.from_raw(F::kExponent.min_raw());

@@ -3,8 +3,9 @@
 //
 // Takes  s, t and the derivatives ds/dx, dt/dx, ds/dy, dt/dy, float32, normalized (1 = the texture's size).
 // Gives  s, t S20.24 textures; dudx, dvdx, dudy, dvdy S7.0 in texels of level 0 * 2^exponent; exponent S6.0.
-// Rounds s, t: nearest, ties away from zero. Mantissas: outward (away from zero), so that a footprint is never taken
-//        for smaller than it is and a growing one never shrinks; the largest magnitude is 64 .. 127.
+// Rounds s, t: nearest, ties away from zero. Mantissas: simple and table nearest, ties away from zero; the other modes
+//        outward (away from zero), so that a growing footprint never shrinks. The exponent is the least with which no
+//        rounded magnitude exceeds 127; the largest is then 64 .. 127.
 // Edges  Denormals are 0. |s| or |t| >= 2^19: the clamps saturate at 2^19, the repeats keep the value modulo 2^21.
 //        NaN coordinates are 0; infinite ones are +-2^19 (clamps) or 0 (repeats). A NaN or infinite derivative gives
 //        the unbounded footprint (127, 0), (0, 127), exponent 63. exponent > 63 saturates; exponent < -64 gives zeros
@@ -114,7 +115,12 @@ module feline_group (
   logic [4*MantissaWidth-1:0]         mantissa;
   logic                               exponent_overflow;
 
+  logic [feline_pkg::ModeWidth-1:0] mode;
+
+  feline_supported_mode u_supported_mode (.mode_i(sampler_i.mode), .mode_o(mode));
+
   feline_group_mantissas #(.ExponentBits(ExponentBits), .ProductWidth(ProductWidth)) u_group_mantissas (
+    .nearest_i(mode == feline_pkg::ModeSimple || mode == feline_pkg::ModeTable),
     .finite_i(products_q.finite), .top_i(products_q.top), .negative_i(products_q.negative),
     .exponent_i(products_q.exponent), .product_i(products_q.product),
     .exponent_o(group_d.exponent), .mantissa_o(mantissa), .overflow_o(exponent_overflow)

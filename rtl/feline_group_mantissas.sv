@@ -2,11 +2,11 @@
 // Four products to four mantissas under one group exponent: the second half of model/group.h.
 //
 // Takes  of ds/dx, dt/dx, ds/dy, dt/dy, the first lowest: sign and |derivative| in texels = product * 2^(exponent -
-//        150) (feline_texel_product); the largest top of the four; whether all four were finite.
+//        150) (feline_texel_product); the largest top of the four; whether all four were finite; which rounding.
 // Gives  dudx, dvdx, dudy, dvdy, the first lowest, S7.0 in texels of level 0 * 2^exponent; exponent S6.0; whether it
 //        saturates, though all four were finite.
-// Rounds outward (away from zero), so that a footprint is never taken for smaller than it is and a growing one never
-//        shrinks; the largest magnitude is 64 .. 127.
+// Rounds nearest, ties away from zero, or outward (away from zero); the exponent is the least with which no rounded
+//        magnitude exceeds 127; the largest is then 64 .. 127.
 // Edges  Not finite: the unbounded footprint (127, 0), (0, 127), exponent 63. exponent > 63 saturates; exponent < -64,
 //        which four zeros have too, gives zeros at -64. -128 never occurs.
 // Source WRL 99/1, 3.2 (group scaling).
@@ -16,6 +16,7 @@ module feline_group_mantissas #(
   parameter int unsigned ExponentBits = 8,  // of IEEE 754 binary32
   parameter int unsigned ProductWidth = feline_pkg::Float32Width - ExponentBits + feline_pkg::SizeWidth
 ) (
+  input  wire logic                                   nearest_i,
   input  wire logic                                   finite_i,
   input  wire logic [ExponentBits:0]                  top_i,
   input  wire logic [3:0]                             negative_i,
@@ -40,7 +41,7 @@ module feline_group_mantissas #(
   logic                       vanishes;
   logic signed [SumWidth-1:0] exponent;
 
-  // 2^MagnitudeBits can come out of rounding; then all four are halved.
+  // 2^MagnitudeBits can come out of rounding; then all four are rounded to a bit less.
   assign halved   = too_large != '0;
   assign exponent = SumWidth'(top_i) - SumWidth'(UnitExponent + MagnitudeBits) + SumWidth'(halved);
   assign vanishes = exponent < MinExponent;
@@ -53,23 +54,26 @@ module feline_group_mantissas #(
 
     logic [TopWidth-1:0]      dropped;
     logic [MantissaWidth-1:0] rounded;
+    logic [MantissaWidth-1:0] rounded_more;
     logic [MantissaWidth-1:0] magnitude;
     logic [MantissaWidth-1:0] mantissa;
 
     assign dropped = top_i - TopWidth'(MagnitudeBits) - TopWidth'(exponent_i[i*ExponentBits +: ExponentBits]);
 
-    feline_round_outward #(
+    feline_round_magnitude #(
       .Width      (ProductWidth),
       .BitsWidth  (TopWidth),
       .ResultWidth(MantissaWidth)
-    ) u_round_outward (
-      .value_i  (product_i[i*ProductWidth +: ProductWidth]),
-      .bits_i   (dropped),
-      .rounded_o(rounded)
+    ) u_round_magnitude (
+      .nearest_i,
+      .value_i       (product_i[i*ProductWidth +: ProductWidth]),
+      .bits_i        (dropped),
+      .rounded_o     (rounded),
+      .rounded_more_o(rounded_more)
     );
 
     assign too_large[i] = rounded[MagnitudeBits];
-    assign magnitude    = halved ? (rounded + MantissaWidth'(1)) >> 1 : rounded;
+    assign magnitude    = halved ? rounded_more : rounded;
 
     always_comb begin
       if (!finite_i) begin

@@ -10,9 +10,6 @@
 namespace feline {
 namespace {
 
-// One in this many stripes goes through the RTL: it takes 40 microseconds a pixel.
-constexpr int kRtlStride = 8;
-
 CellErrors pool(const std::vector<Rendering>& renderings, const std::vector<Truth>& truths,
                 const FloatPicture Truth::*truth, const Exhibit& exhibit) {
   CellErrors pooled;
@@ -29,7 +26,6 @@ CellErrors pool(const std::vector<Rendering>& renderings, const std::vector<Trut
                                                           renderings[i].picture, truths[i].*truth, channels) /
                                          (frames - 1);
   }
-  pooled.visible = visible_difference(renderings.front().picture, truths.front().*truth, exhibit.srgb(), channels);
   return pooled;
 }
 
@@ -52,15 +48,13 @@ nlohmann::ordered_json to_json(const CellErrors& errors) {
   nlohmann::ordered_json json{{"mean_square", errors.errors.mean_square},
                               {"worst", errors.errors.worst},
                               {"worst_column", errors.errors.worst_column},
-                              {"worst_row", errors.errors.worst_row},
-                              {"visible", errors.visible}};
+                              {"worst_row", errors.errors.worst_row}};
   if (errors.shimmer) json["shimmer"] = *errors.shimmer;
   return json;
 }
 
 CellErrors errors_from_json(const nlohmann::ordered_json& json) {
   CellErrors errors{{json.at("mean_square"), json.at("worst"), json.at("worst_column"), json.at("worst_row")},
-                    json.at("visible"),
                     std::nullopt};
   if (json.contains("shimmer")) errors.shimmer = json.at("shimmer").get<double>();
   return errors;
@@ -69,7 +63,7 @@ CellErrors errors_from_json(const nlohmann::ordered_json& json) {
 }  // namespace
 
 Cell measure_cell(const Contestant& contestant, const Exhibit& exhibit, const std::vector<Truth>& truths,
-                  const Detail& detail) {
+                  const Focus& focus) {
   std::vector<Rendering> renderings;
   for (const View& view : exhibit.frames) renderings.push_back(contestant.render(view, nullptr));
   Cell cell;
@@ -79,23 +73,31 @@ Cell measure_cell(const Contestant& contestant, const Exhibit& exhibit, const st
   cell.box = pool(renderings, truths, &Truth::box, exhibit);
   add_pixel_means(cell, renderings);
   if (contestant.sampler) {
-    cell.rtl_cycles = measure_rtl_cycles(exhibit.frames.front(), *contestant.sampler, kRtlStride);
+    cell.rtl_cycles = measure_rtl_cycles(exhibit.frames.front(), *contestant.sampler);
   }
   const FloatPicture& picture = renderings.front().picture;
   const FloatPicture& truth = truths.front().gaussian;
-  cell.detail_png = page::base64(detail_png(picture, detail, exhibit.srgb(), exhibit.channels()));
-  cell.difference_png = page::base64(detail_png(difference(picture, truth, kDifferenceGain), detail, false, 3));
+  cell.visible = visible_difference(crop(picture, focus.quarter), crop(truth, focus.quarter), picture.width,
+                                    exhibit.srgb(), exhibit.channels());
+  cell.detail_png = page::base64(detail_png(picture, focus.detail, exhibit.srgb(), exhibit.channels()));
+  cell.difference_png = page::base64(detail_png(difference(picture, truth, kDifferenceGain), focus.detail, false, 3));
   if (!renderings.front().probes.empty()) {
-    cell.probes_png = page::base64(probes_png(renderings.front().probes, picture.width, detail));
+    cell.probes_png = page::base64(probes_png(renderings.front().probes, picture.width, focus.detail));
   }
   return cell;
 }
 
 nlohmann::ordered_json to_json(const Cell& cell) {
-  nlohmann::ordered_json json{
-      {"exhibit", cell.exhibit},    {"contestant", cell.contestant},   {"gaussian", to_json(cell.gaussian)},
-      {"box", to_json(cell.box)},   {"nanoseconds", cell.nanoseconds}, {"probes", cell.cost.probes},
-      {"texels", cell.cost.texels}, {"cycles", cell.cost.cycles},      {"stamp_cycles", cell.cost.stamp_cycles}};
+  nlohmann::ordered_json json{{"exhibit", cell.exhibit},
+                              {"contestant", cell.contestant},
+                              {"gaussian", to_json(cell.gaussian)},
+                              {"box", to_json(cell.box)},
+                              {"visible", cell.visible},
+                              {"nanoseconds", cell.nanoseconds},
+                              {"probes", cell.cost.probes},
+                              {"texels", cell.cost.texels},
+                              {"cycles", cell.cost.cycles},
+                              {"stamp_cycles", cell.cost.stamp_cycles}};
   if (cell.rtl_cycles) json["rtl_cycles"] = *cell.rtl_cycles;
   json["detail_png"] = cell.detail_png;
   json["difference_png"] = cell.difference_png;
@@ -109,6 +111,7 @@ Cell cell_from_json(const nlohmann::ordered_json& json) {
   cell.contestant = json.at("contestant");
   cell.gaussian = errors_from_json(json.at("gaussian"));
   cell.box = errors_from_json(json.at("box"));
+  cell.visible = json.at("visible");
   cell.nanoseconds = json.at("nanoseconds");
   cell.cost = {json.at("probes"), json.at("texels"), json.at("cycles"), json.at("stamp_cycles")};
   if (json.contains("rtl_cycles")) cell.rtl_cycles = json.at("rtl_cycles").get<double>();

@@ -15,7 +15,6 @@ namespace feline {
 // Against one truth; means are over all frames.
 struct CellErrors {
   Errors errors;
-  double visible = 0;             // part of the pixels, of the first frame
   std::optional<double> shimmer;  // mean square, of a sequence
 };
 
@@ -25,6 +24,7 @@ struct Cell {
   std::string contestant;
   CellErrors gaussian;
   CellErrors box;
+  double visible = 0;  // visible_difference from the Gaussian truth, in the part that is looked at closely
   double nanoseconds = 0;
   reference::Cost cost;
   std::optional<double> rtl_cycles;
@@ -38,8 +38,14 @@ struct Cell {
 nlohmann::ordered_json to_json(const Cell& cell);
 Cell cell_from_json(const nlohmann::ordered_json& json);
 
-// `truths`: one a frame. The worst error and the pictures of a sequence are those of a frame each.
+// Where an exhibit is looked at closely, both in the first frame.
+struct Focus {
+  Detail detail;   // shown enlarged
+  Detail quarter;  // a quarter of the picture, for the perceptual measure, which takes long
+};
+
+// `truths`: one a frame. Of a sequence, the worst error is that of its worst frame.
 Cell measure_cell(const Contestant& contestant, const Exhibit& exhibit, const std::vector<Truth>& truths,
-                  const Detail& detail);
+                  const Focus& focus);
 
 }  // namespace feline

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "testbench/measure/contestant.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 #include "testbench/measure/oiio_texture.h"
@@ -48,6 +51,12 @@ std::span<const Contestant> contestants() {
 const Contestant* find_contestant(std::string_view name) {
   const auto found = std::ranges::find(contestants(), name, &Contestant::name);
   return found == contestants().end() ? nullptr : &*found;
+}
+
+std::string contestant_names() {
+  std::vector<std::string_view> names;
+  for (const Contestant& contestant : contestants()) names.push_back(contestant.name);
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 }  // namespace feline

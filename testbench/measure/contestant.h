@@ -38,9 +38,10 @@ struct Contestant {
 // Reference filters, then the unit as "unit_<mode>...", then "openimageio". The unit wraps as the surface does.
 std::span<const Contestant> contestants();
 const Contestant* find_contestant(std::string_view name);
+std::string contestant_names();  // "nearest, bilinear, ...", for help
 
-// Cycles a pixel of the Verilated unit over every `stride`-th stripe of four rows, each beat compared with the model.
-// Throws std::runtime_error when they differ.
-double measure_rtl_cycles(const View& view, const SamplerOptions& options, int stride);
+// Cycles a pixel of the Verilated unit over one in 16 stripes of four rows, each beat compared with the model. Throws
+// std::runtime_error when they differ.
+double measure_rtl_cycles(const View& view, const SamplerOptions& options);
 
 }  // namespace feline

@@ -47,7 +47,7 @@ std::vector<std::byte> picture_png(const FloatPicture& picture, bool srgb, int c
 }
 
 std::vector<std::byte> detail_png(const FloatPicture& picture, const Detail& detail, bool srgb, int channels) {
-  return picture_png(crop(picture, detail.left, detail.top, detail.size, detail.size), srgb, channels);
+  return picture_png(crop(picture, detail), srgb, channels);
 }
 
 std::vector<std::byte> probes_png(std::span<const float> probes, int width, const Detail& detail) {

@@ -10,13 +10,6 @@
 
 namespace feline {
 
-// A square of a picture that is shown enlarged.
-struct Detail {
-  int left = 0;
-  int top = 0;
-  int size = 0;
-};
-
 // How much differences are amplified for the eye.
 inline constexpr float kDifferenceGain = 4;
 

@@ -82,14 +82,16 @@ double temporal_mean_square(const FloatPicture& before, const FloatPicture& trut
   return sum / values;
 }
 
-double visible_difference(const FloatPicture& picture, const FloatPicture& truth, bool srgb, int channels) {
+double visible_difference(const FloatPicture& picture, const FloatPicture& truth, int whole_width, bool srgb,
+                          int channels) {
   std::vector<float> a = displayed(picture, srgb, channels);
   std::vector<float> b = displayed(truth, srgb, channels);
   const OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeDesc::FLOAT);
   const OIIO::ImageBuf a_image(spec, a.data());
   const OIIO::ImageBuf b_image(spec, b.data());
   OIIO::ImageBufAlgo::CompareResults results;
-  const int failing = OIIO::ImageBufAlgo::compare_Yee(a_image, b_image, results);
+  const int failing = OIIO::ImageBufAlgo::compare_Yee(
+      a_image, b_image, results, 100, 45 * static_cast<float>(picture.width) / static_cast<float>(whole_width));
   return static_cast<double>(failing) / (static_cast<double>(picture.width) * picture.height);
 }
 

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "testbench/measure/cache.h"
+
 namespace feline {
 namespace {
 
@@ -30,6 +32,27 @@ ExhibitPlan plan_exhibit(const Scene& scene, int width, int height) {
   plan.identity = fmt::format("scene {} {}x{}", plan.name, plan.width, plan.height);
   plan.build = [scene, plan_width = plan.width, plan_height = plan.height, frames = plan.frame_count] {
     return build_scene(scene, plan_width, plan_height, frames);
+  };
+  return plan;
+}
+
+ExhibitPlan plan_exhibit(const std::filesystem::path& gbuffer_path, const std::filesystem::path& texture_path,
+                         const ImageOptions& image, Wrap wrap) {
+  GBuffer gbuffer = read_gbuffer(gbuffer_path);
+  ExhibitPlan plan;
+  plan.name = gbuffer_path.stem().string();
+  plan.description = fmt::format("{} with {}", gbuffer_path.filename().string(), texture_path.filename().string());
+  plan.width = gbuffer.width;
+  plan.height = gbuffer.height;
+  plan.perspective = false;
+  plan.identity = fmt::format("own {} {} {} {}", content_hash(gbuffer_path), content_hash(texture_path), image.srgb,
+                              static_cast<int>(wrap));
+  plan.build = [name = plan.name, gbuffer = std::move(gbuffer), texture_path, image, wrap] {
+    Exhibit exhibit;
+    exhibit.surface =
+        std::make_unique<Surface>(make_surface(load_texture(texture_path, image), {wrap, wrap, {}}, image.mip_edge));
+    exhibit.frames.push_back(make_view(name, *exhibit.surface, gbuffer));
+    return exhibit;
   };
   return plan;
 }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "testbench/image.h"
 #include "testbench/measure/view.h"
 
 namespace feline {
@@ -33,5 +35,9 @@ struct ExhibitPlan {
 
 // A built-in scene; a sequence's frames have half the sides, so that eight of them take as long as two stills.
 ExhibitPlan plan_exhibit(const Scene& scene, int width, int height);
+
+// A user's own G-buffer and texture. Throws InputError naming the file and what is wrong with it.
+ExhibitPlan plan_exhibit(const std::filesystem::path& gbuffer, const std::filesystem::path& texture,
+                         const ImageOptions& image, Wrap wrap);
 
 }  // namespace feline

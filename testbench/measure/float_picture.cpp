@@ -21,8 +21,9 @@ std::uint8_t to_code(float value, bool srgb) {
 
 }  // namespace
 
-FloatPicture crop(const FloatPicture& picture, int left, int top, int width, int height) {
-  FloatPicture part{std::min(width, picture.width - left), std::min(height, picture.height - top), {}};
+FloatPicture crop(const FloatPicture& picture, const Detail& detail) {
+  const auto& [left, top, size] = detail;
+  FloatPicture part{std::min(size, picture.width - left), std::min(size, picture.height - top), {}};
   for (int row = 0; row < part.height; ++row) {
     for (int column = 0; column < part.width; ++column) part.pixels.push_back(picture.at(left + column, top + row));
   }

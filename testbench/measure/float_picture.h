@@ -21,8 +21,15 @@ struct FloatPicture {
   }
 };
 
-// A part of it, clipped to it.
-FloatPicture crop(const FloatPicture& picture, int left, int top, int width, int height);
+// A square of a picture that is looked at closely.
+struct Detail {
+  int left = 0;
+  int top = 0;
+  int size = 0;
+};
+
+// The part of the picture that lies within it.
+FloatPicture crop(const FloatPicture& picture, const Detail& detail);
 
 // Nearest 8 bit codes; with `srgb` encoded (IEC 61966-2-1), alpha not. Three channels, or four.
 std::vector<std::uint8_t> to_bytes(const FloatPicture& picture, bool srgb, int channels);

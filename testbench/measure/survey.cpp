@@ -18,13 +18,20 @@ constexpr int kDetailSize = 96;
 // What pieces of work take beside a cell, for the progress bar.
 constexpr std::uint64_t kTruthWork = 20;
 
+nlohmann::ordered_json to_json(const Detail& detail) {
+  return {{"left", detail.left}, {"top", detail.top}, {"size", detail.size}};
+}
+
+Detail detail_from_json(const nlohmann::ordered_json& json) {
+  return {json.at("left"), json.at("top"), json.at("size")};
+}
+
 nlohmann::ordered_json to_json(const TruthFacts& facts) {
   return {{"gaussian_error", facts.gaussian_error},
           {"box_error", facts.box_error},
           {"samples", facts.samples},
-          {"left", facts.detail.left},
-          {"top", facts.detail.top},
-          {"size", facts.detail.size},
+          {"detail", to_json(facts.focus.detail)},
+          {"quarter", to_json(facts.focus.quarter)},
           {"overview_png", facts.overview_png},
           {"gaussian_png", facts.gaussian_png},
           {"box_png", facts.box_png}};
@@ -32,7 +39,7 @@ nlohmann::ordered_json to_json(const TruthFacts& facts) {
 
 TruthFacts facts_from_json(const nlohmann::ordered_json& json) {
   return {json.at("gaussian_error"), json.at("box_error"),
-          json.at("samples"),        {json.at("left"), json.at("top"), json.at("size")},
+          json.at("samples"),        {detail_from_json(json.at("detail")), detail_from_json(json.at("quarter"))},
           json.at("overview_png"),   json.at("gaussian_png"),
           json.at("box_png")};
 }
@@ -64,7 +71,7 @@ class Work {
   }
   Cell cell(const Contestant& contestant) {
     return through_cache<Cell>("cell " + contestant.name, cell_from_json,
-                               [&] { return measure_cell(contestant, exhibit(), truths(), truth().detail); });
+                               [&] { return measure_cell(contestant, exhibit(), truths(), truth().focus); });
   }
   Split split(const SplitNames& names) {
     return through_cache<Split>(fmt::format("split {}", names.kernel), split_from_json,
@@ -112,12 +119,13 @@ class Work {
       facts.box_error = std::max(facts.box_error, frame.box_error);
     }
     facts.samples = first.samples;
-    facts.detail = find_detail(trilinear, first.gaussian, kDetailSize);
+    facts.focus = {find_detail(trilinear, first.gaussian, kDetailSize),
+                   find_detail(trilinear, first.gaussian, std::max(std::max(plan_.width, plan_.height) / 2, 1))};
     const bool srgb = exhibit().srgb();
     const int channels = exhibit().channels();
     facts.overview_png = page::base64(picture_png(first.gaussian, srgb, channels));
-    facts.gaussian_png = page::base64(detail_png(first.gaussian, facts.detail, srgb, channels));
-    facts.box_png = page::base64(detail_png(first.box, facts.detail, srgb, channels));
+    facts.gaussian_png = page::base64(detail_png(first.gaussian, facts.focus.detail, srgb, channels));
+    facts.box_png = page::base64(detail_png(first.box, facts.focus.detail, srgb, channels));
     return facts;
   }
 

@@ -16,7 +16,7 @@ struct TruthFacts {
   double gaussian_error = 0;  // standard error of a channel
   double box_error = 0;
   int samples = 0;  // a pixel
-  Detail detail;    // where trilinear filtering fails most
+  Focus focus;      // where trilinear filtering fails most
   // PNG in base64: the whole Gaussian truth of the first frame, and the detail of both truths.
   std::string overview_png;
   std::string gaussian_png;

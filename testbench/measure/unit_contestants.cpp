@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <span>
 #include <stdexcept>
 
 #include "model/unit.h"
@@ -25,12 +27,13 @@ Rendering render_unit(const SamplerOptions& options, const View& view, Progress*
   using F = Formats<kDefaultConfig>;
   const auto sampler = sampler_of(options, view);
   return render_rows(view, progress, [&](std::size_t i, reference::Cost& cost) {
-    const auto pixel = sample<kDefaultConfig>(make_request<kDefaultConfig>(view.gbuffer.lookups[i], 0), sampler,
-                                              view.surface->memory, [&]<typename Beat>(const Beat& beat) {
-                                                if constexpr (std::is_same_v<Beat, FetchBeat<kDefaultConfig>>) {
-                                                  cost.add(1, beat.level_fraction.raw() == 0 ? 4 : 8, 1);
-                                                }
-                                              });
+    const auto pixel = sample<kDefaultConfig>(
+        make_request<kDefaultConfig>(view.gbuffer.lookups[i], 0), sampler, view.surface->memory,
+        [&]<typename Beat>(const Beat& beat) {
+          if constexpr (std::is_same_v<Beat, FetchBeat<kDefaultConfig>>) {
+            cost.add(1, (beat.linear.raw() == 0 ? 1 : 4) * (beat.level_fraction.raw() == 0 ? 1 : 2), 1);
+          }
+        });
     reference::Colour colour{};
     for (std::size_t c = 0; c < 4; ++c) colour[c] = F::kPixel.value(pixel.colour[c].raw()) / 255;
     return colour;
@@ -77,23 +80,29 @@ std::vector<Contestant> unit_contestants() {
   return all;
 }
 
-double measure_rtl_cycles(const View& view, const SamplerOptions& options, int stride) {
+double measure_rtl_cycles(const View& view, const SamplerOptions& options) {
   constexpr int kRows = 4;
+  constexpr int kOneIn = 16;
   const auto sampler = sampler_of(options, view);
-  const auto width = static_cast<std::size_t>(view.gbuffer.width);
-  std::vector<Lookup> lookups;
-  for (int row = 0; row < view.gbuffer.height; ++row) {
-    if (row / kRows % stride != 0) continue;
-    const auto first =
-        view.gbuffer.lookups.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(row) * width);
-    lookups.insert(lookups.end(), first, first + static_cast<std::ptrdiff_t>(width));
+  const auto width = static_cast<std::ptrdiff_t>(view.gbuffer.width);
+  const int stripes = (view.gbuffer.height + kRows * kOneIn - 1) / (kRows * kOneIn);
+  std::atomic<std::uint64_t> cycles = 0;
+  std::atomic<std::size_t> pixels = 0;
+  std::atomic<bool> agree = true;
+  OIIO::parallel_for(0, stripes, [&](std::int64_t stripe) {
+    const std::int64_t first = stripe * kRows * kOneIn;
+    const std::int64_t rows = std::min<std::int64_t>(kRows, view.gbuffer.height - first);
+    const std::span<const Lookup> lookups(view.gbuffer.lookups.begin() + first * width,
+                                          static_cast<std::size_t>(rows * width));
+    Cosimulation cosimulation(make_fast_unit, Timing{});
+    if (!cosimulation.run(Batch{sampler, &view.surface->memory, lookups, 0})) agree = false;
+    cycles += cosimulation.cycles();
+    pixels += lookups.size();
+  });
+  if (!agree) {
+    throw std::runtime_error(fmt::format("{0}: RTL and model differ; feline cosim --scene {0} says where", view.name));
   }
-  Cosimulation cosimulation(make_fast_unit, Timing{});
-  if (!cosimulation.run(Batch{sampler, &view.surface->memory, lookups, 0})) {
-    throw std::runtime_error(
-        fmt::format("{}: RTL and model differ; feline cosim --scene {} says where", view.name, view.name));
-  }
-  return static_cast<double>(cosimulation.cycles()) / static_cast<double>(lookups.size());
+  return static_cast<double>(cycles) / static_cast<double>(pixels);
 }
 
 }  // namespace feline

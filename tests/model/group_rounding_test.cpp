@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Why group rounds outward: truncation, nearest and outward compared over random ellipses, in double precision and
-// written apart from model/group.h. Nearest is the most accurate; only outward never lets a growing footprint shrink.
+// Why group rounds to nearest for Feline and outward otherwise: truncation, nearest and outward compared over random
+// ellipses, in double precision and written apart from model/group.h. Nearest is the most accurate; only outward never
+// lets a growing footprint shrink, which the isotropic modes promise.
 #include <gtest/gtest.h>
 
 #include <algorithm>

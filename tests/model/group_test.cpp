@@ -11,8 +11,9 @@
 namespace feline {
 namespace {
 
-State state_of(int width, int height, Wrap wrap_s, Wrap wrap_t) {
+State state_of(int width, int height, Wrap wrap_s, Wrap wrap_t, Mode mode = Mode::kTable) {
   SamplerOptions options;
+  options.mode = mode;
   options.wrap_s = wrap_s;
   options.wrap_t = wrap_t;
   return oracle::sampler_state(options, TexelFormat::kR8, false, width, height, 1, {});
@@ -36,7 +37,8 @@ TEST(group, equals_exact_arithmetic) {
   for (int i = 0; i < 1000000 && !HasFatalFailure(); ++i) {
     const int width = static_cast<int>(random.between(1, 1 << random.between(0, 14)));
     const int height = static_cast<int>(random.between(1, 1 << random.between(0, 14)));
-    const State state = state_of(width, height, static_cast<Wrap>(random.below(4)), static_cast<Wrap>(random.below(4)));
+    const State state = state_of(width, height, static_cast<Wrap>(random.below(4)), static_cast<Wrap>(random.below(4)),
+                                 static_cast<Mode>(random.below(6)));
     expect_as_oracle(any_lookup(random, width, height), state);
   }
 }
@@ -62,9 +64,28 @@ TEST(group, lattice_of_every_float_class_in_pairs) {
   }
 }
 
-// A unit in the last place beyond a mantissa counts, and 127 + epsilon moves the exponent.
+// Feline's modes: half a unit counts, and 127.5 moves the exponent; then all are rounded anew.
+TEST(group, rounds_mantissas_to_nearest) {
+  for (const Mode mode : {Mode::kSimple, Mode::kTable}) {
+    const State state = state_of(1, 1, Wrap::kRepeat, Wrap::kRepeat, mode);
+    const auto below = group_of({0, 0, std::nextafter(127.5F, 0.0F), std::nextafter(2.5F, 0.0F), -2.5F, 0.5F}, state);
+    EXPECT_EQ(below.exponent.raw(), 0);
+    EXPECT_EQ(below.dudx.raw(), 127);
+    EXPECT_EQ(below.dvdx.raw(), 2);
+    EXPECT_EQ(below.dudy.raw(), -3);
+    EXPECT_EQ(below.dvdy.raw(), 1);
+    const auto beyond = group_of({0, 0, 127.5F, 2.5F, -3, 1e-30F}, state);
+    EXPECT_EQ(beyond.exponent.raw(), 1);
+    EXPECT_EQ(beyond.dudx.raw(), 64);
+    EXPECT_EQ(beyond.dvdx.raw(), 1);
+    EXPECT_EQ(beyond.dudy.raw(), -2);
+    EXPECT_EQ(beyond.dvdy.raw(), 0);
+  }
+}
+
+// The other modes: a unit in the last place beyond a mantissa counts, and 127 + epsilon moves the exponent.
 TEST(group, rounds_mantissas_outward) {
-  const State state = state_of(1, 1, Wrap::kRepeat, Wrap::kRepeat);
+  const State state = state_of(1, 1, Wrap::kRepeat, Wrap::kRepeat, Mode::kTrilinear);
   const auto exact = group_of({0, 0, 100, 13, -5, 0}, state);
   EXPECT_EQ(exact.exponent.raw(), 0);
   EXPECT_EQ(exact.dudx.raw(), 100);
@@ -84,7 +105,7 @@ TEST(group, rounds_mantissas_outward) {
 }
 
 TEST(group, unbounded_and_tiny_footprints) {
-  const State state = state_of(256, 256, Wrap::kRepeat, Wrap::kClampToEdge);
+  const State state = state_of(256, 256, Wrap::kRepeat, Wrap::kClampToEdge, Mode::kTrilinear);
   for (const auto bits : {0x7f800000U, 0xff800000U, 0x7fc00000U, 0xffffffffU}) {
     for (int operand = 0; operand < 4; ++operand) {
       std::array<float, 4> derivative{0.1F, -0.2F, 0, 1};

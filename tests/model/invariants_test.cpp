@@ -30,8 +30,11 @@ std::int64_t status_of(const Lookup& lookup, const State& state) {
   const double texels =
       std::max({std::abs(lookup.dsdx * state.width.value()), std::abs(lookup.dsdy * state.width.value()),
                 std::abs(lookup.dtdx * state.height.value()), std::abs(lookup.dtdy * state.height.value())});
-  const bool overflow = saturates(lookup.s, state.wrap_s.raw()) || saturates(lookup.t, state.wrap_t.raw()) ||
-                        (derivatives && texels > 127 * 0x1p63);
+  // Feline's modes round to nearest, the others outward.
+  const bool nearest = state.mode.raw() >= static_cast<int>(Mode::kSimple);
+  const bool unbounded = nearest ? texels >= 127.5 * 0x1p63 : texels > 127 * 0x1p63;
+  const bool overflow =
+      saturates(lookup.s, state.wrap_s.raw()) || saturates(lookup.t, state.wrap_t.raw()) || (derivatives && unbounded);
   return (coordinates ? 0 : kCoordinateNotFinite) | (derivatives ? 0 : kDerivativeNotFinite) |
          (overflow ? kOverflow : 0);
 }

@@ -9,8 +9,15 @@ feline_rom_fault(plan log2 150 0)
 feline_rom_fault(plan reciprocal 5 2)
 feline_rom_fault(fetch srgb 99 0)
 
-feline_fault(group outward_rounding_truncates feline_round_outward
-             "+ ResultWidth'(inexact)" "ResultWidth'(inexact)" "ResultWidth'(0)")
+feline_fault(group outward_rounding_truncates feline_round_magnitude
+             "nearest_i ? half : inexact" "inexact" "1'b0")
+feline_fault(group nearest_rounding_is_outward feline_round_magnitude
+             "assign half         = halves[0]" "halves[0]" "inexact")
+feline_fault(group rounding_to_a_bit_less_drops_a_half feline_round_magnitude
+             "assign half_more    = kept[0]" "kept[0]" "1'b0")
+feline_fault(group table_rounds_outward feline_group
+             "mode == feline_pkg::ModeSimple || mode == feline_pkg::ModeTable"
+             "mode == feline_pkg::ModeTable" "1'b0")
 feline_fault(group sign_lost feline_group_mantissas "negative_i[i] ? -magnitude" "negative_i[i]" "1'b0")
 feline_fault(group overflow_of_rounding_missed feline_group_mantissas
              "assign halved   = too_large != '0" "too_large != '0" "1'b0")

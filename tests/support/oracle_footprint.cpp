@@ -48,12 +48,13 @@ std::int64_t position_of(std::int64_t bits, std::int64_t wrap) {
   return static_cast<std::int64_t>(left);
 }
 
-// The least integer not below significand * 2^(exponent - unit).
-Wide outward(const Magnitude& x, int unit) {
+// significand * 2^(exponent - unit) as an integer: the nearest, ties away from zero, or the least that is not below.
+Wide rounded(const Magnitude& x, int unit, bool nearest) {
   const int shift = unit - x.exponent;
   if (x.significand == 0) return 0;
-  if (shift > 100) return 1;
-  return shift >= 0 ? ceil_of({x.significand, power(shift)}) : x.significand * power(-shift);
+  if (shift > 100) return nearest ? 0 : 1;
+  if (shift < 0) return x.significand * power(-shift);
+  return nearest ? nearest_away({x.significand, power(shift)}) : ceil_of({x.significand, power(shift)});
 }
 
 // The larger part of the two-part linear length, in 1/128: of a + 5b/32 and 109a/128 + 35b/64.
@@ -117,9 +118,11 @@ Group group(const Request& request, const State& state) {
     // Below any unit that could do: some mantissa would have 16 bits or more.
     if (texels[i].significand != 0) unit = std::max(unit, texels[i].exponent);
   }
+  const bool nearest = state.mode.raw() >= 4;  // simple, table
   // The finest unit in which all four fit 7 bits.
   const auto fits = [&] {
-    return std::all_of(texels.begin(), texels.end(), [&](const Magnitude& x) { return outward(x, unit) <= 127; });
+    return std::all_of(texels.begin(), texels.end(),
+                       [&](const Magnitude& x) { return rounded(x, unit, nearest) <= 127; });
   };
   while (!fits()) ++unit;
   overflow = overflow || unit > 63;
@@ -127,7 +130,8 @@ Group group(const Request& request, const State& state) {
   set(beat.exponent, std::clamp(unit, -64, 63));
   if (unit < -64) return beat;
   const auto signed_mantissa = [&](std::size_t i) {
-    return derivative[i] >= power(31) ? -outward(texels[i], unit) : outward(texels[i], unit);
+    const Wide size = rounded(texels[i], unit, nearest);
+    return derivative[i] >= power(31) ? -size : size;
   };
   set(beat.dudx, signed_mantissa(0));
   set(beat.dvdx, signed_mantissa(1));

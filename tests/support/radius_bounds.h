@@ -10,8 +10,8 @@
 
 namespace feline {
 
-// How far the radii of footprint can be from those of the derivatives that group rounded outward to a quadruple. The
-// derivatives lie anywhere in a box of one unit towards zero in each component; their radii are homogeneous functions:
+// How far the radii of footprint can be from those of the derivatives that group rounded to the nearest quadruple. The
+// derivatives lie anywhere within half a unit of it in each component; their radii are homogeneous functions:
 // Simple's own with exact components, for Table the singular values of the matrix. An effective radius is
 // max(minor, kLeastLine * major): plan widens the minor radius to 2/(maxProbes + 1) * lengthFactor of the major one,
 // here at the paper's least lengthFactor, 0.9625, as the machine holds it.
@@ -44,21 +44,24 @@ inline double length_of(double u, double v) {
   return std::max(a + b * (5.0 / 32), a * (109.0 / 128) + b * (35.0 / 64));
 }
 
-// |x + y| for x and y within their boxes.
+// |x + y| for x and y within half a unit of these.
 inline Span sum_span(std::int64_t x, std::int64_t y) {
-  const auto low = [](std::int64_t q) { return static_cast<double>(q > 0 ? q - 1 : q); };
-  const auto high = [](std::int64_t q) { return static_cast<double>(q < 0 ? q + 1 : q); };
-  const double from = low(x) + low(y);
-  const double to = high(x) + high(y);
+  const double from = static_cast<double>(x + y) - 1;
+  const double to = static_cast<double>(x + y) + 1;
   const double nearest = from <= 0 && to >= 0 ? 0 : std::min(std::abs(from), std::abs(to));
   return {nearest, std::max(std::abs(from), std::abs(to))};
+}
+
+inline Span span_of(std::int64_t x) {
+  const double size = std::abs(static_cast<double>(x));
+  return {std::max(size - 0.5, 0.0), size + 0.5};
 }
 
 // Unlike the paper's, this length grows with each component, so its extremes are at the ends of the spans.
 inline RadiusRange simple_range(const Quad& q) {
   const auto vector = [](Span u, Span v) { return Span{length_of(u.low, v.low), length_of(u.high, v.high)}; };
-  const Span x = vector(sum_span(q.dudx, 0), sum_span(q.dvdx, 0));
-  const Span y = vector(sum_span(q.dudy, 0), sum_span(q.dvdy, 0));
+  const Span x = vector(span_of(q.dudx), span_of(q.dvdx));
+  const Span y = vector(span_of(q.dudy), span_of(q.dvdy));
   const Span sum = vector(sum_span(q.dudx, q.dudy), sum_span(q.dvdx, q.dvdy));
   const Span difference = vector(sum_span(q.dudx, -q.dudy), sum_span(q.dvdx, -q.dvdy));
   return {std::max(x.low, y.low), std::max(x.high, y.high), std::min({x.low, y.low, sum.low, difference.low}),
@@ -67,23 +70,17 @@ inline RadiusRange simple_range(const Quad& q) {
 
 // A singular value moves by at most the norm of the change (Weyl): half the box's diagonal from its centre.
 inline RadiusRange table_range(const Quad& q) {
-  double reach = 0;
-  const auto centre = [&](std::int64_t value) {
-    if (value == 0) return 0.0;
-    reach += 0.25;
-    return static_cast<double>(value) - (value > 0 ? 0.5 : -0.5);
-  };
-  const double a = centre(q.dudx);
-  const double b = centre(q.dvdx);
-  const double c = centre(q.dudy);
-  const double d = centre(q.dvdy);
-  reach = std::sqrt(reach);
+  constexpr double kReach = 1;  // sqrt(4 / 2^2)
+  const auto a = static_cast<double>(q.dudx);
+  const auto b = static_cast<double>(q.dvdx);
+  const auto c = static_cast<double>(q.dudy);
+  const auto d = static_cast<double>(q.dvdy);
   // Half the sum and half the difference of the singular values.
   const double sum = std::sqrt((a + d) * (a + d) + (b - c) * (b - c)) / 2;
   const double difference = std::sqrt((a - d) * (a - d) + (b + c) * (b + c)) / 2;
   const double major = sum + difference;
   const double minor = std::abs(sum - difference);
-  return {major - reach, major + reach, std::max(minor - reach, 0.0), minor + reach};
+  return {major - kReach, major + kReach, std::max(minor - kReach, 0.0), minor + kReach};
 }
 
 inline RatioBounds ratio_bounds(const FootprintBeat<kDefaultConfig>& held, const RadiusRange& real) {

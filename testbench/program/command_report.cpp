@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "testbench/error.h"
+#include "testbench/image.h"
+#include "testbench/measure/survey.h"
+#include "testbench/program/command_line.h"
+#include "testbench/program/commands.h"
+#include "testbench/program/subject.h"
+#include "testbench/report/report.h"
+
+namespace feline {
+namespace {
+
+struct ReportOptions {
+  std::string scenes = "all";
+  std::string filters = "all";
+  std::string size = "512";
+  std::string gbuffer;
+  std::string texture;
+  bool srgb = false;
+  std::string wrap = "repeat";
+  std::string output = "feline-report";
+  std::string cache;
+  std::optional<double> budget;
+  std::uint64_t seed = 1;
+  bool json = false;
+};
+
+std::vector<const Contestant*> choose_contestants(const std::string& text) {
+  std::vector<const Contestant*> chosen;
+  if (text == "all") {
+    for (const Contestant& contestant : contestants()) chosen.push_back(&contestant);
+    return chosen;
+  }
+  for (const std::string& name : split_list("--filter", text)) {
+    const Contestant* const found = find_contestant(name);
+    if (found == nullptr) bad_input("command line", "--filter", name, "all, or a list of " + contestant_names());
+    chosen.push_back(found);
+  }
+  return chosen;
+}
+
+// A user's own G-buffer and texture, or one of them with a scene's other half.
+ExhibitPlan plan_own(const ReportOptions& options) {
+  if (options.gbuffer.empty() || options.texture.empty()) {
+    bad_input("command line", options.gbuffer.empty() ? "--gbuffer" : "--texture", "nothing",
+              "a file: a G-buffer and a texture go together");
+  }
+  const auto wrap = static_cast<Wrap>(parse_name("--wrap", options.wrap, kWrapNames));
+  ImageOptions image;
+  image.srgb = options.srgb;
+  image.mip_edge = wrap == Wrap::kRepeat ? MipEdge::kRepeat : MipEdge::kClamp;
+  return plan_exhibit(options.gbuffer, options.texture, image, wrap);
+}
+
+std::vector<ExhibitPlan> choose_exhibits(const ReportOptions& options) {
+  std::vector<ExhibitPlan> chosen;
+  if (!options.gbuffer.empty() || !options.texture.empty()) {
+    chosen.push_back(plan_own(options));
+    return chosen;
+  }
+  const Size size = parse_size("--size", options.size);
+  if (options.scenes == "all") {
+    for (const Scene& scene : scenes()) chosen.push_back(plan_exhibit(scene, size.width, size.height));
+    return chosen;
+  }
+  for (const std::string& name : split_list("--scene", options.scenes)) {
+    chosen.push_back(plan_exhibit(find_scene(name), size.width, size.height));
+  }
+  return chosen;
+}
+
+int run_report(const ReportOptions& options) {
+  SurveyOptions survey_options;
+  survey_options.contestants = choose_contestants(options.filters);
+  survey_options.exhibits = choose_exhibits(options);
+  survey_options.budget = options.budget;
+  survey_options.seed = options.seed;
+  const std::filesystem::path directory = options.output;
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error) bad_input(options.output, "--output", error.message(), "a directory, or where one can be made");
+  const Cache cache(options.cache.empty() ? directory / "cache" : std::filesystem::path(options.cache));
+  for (const char* const name : {"report.html", "report.json", "report.csv"}) check_writable(directory / name);
+  const Survey survey = run_survey(survey_options, cache);
+  const Report report = make_report(survey);
+  OutputFiles outputs;
+  outputs.write(directory / "report.html", report.html);
+  outputs.write(directory / "report.json", report.json.dump(1) + "\n");
+  outputs.write(directory / "report.csv", report.csv);
+  outputs.commit();
+  if (options.json) {
+    fmt::print("{}\n", report.json.dump(1));
+  } else {
+    fmt::print("{}", report.text);
+    fmt::print("{0}/report.html\n{0}/report.json\n{0}/report.csv\n", directory.string());
+  }
+  return report.holds ? kHolds : kBroken;
+}
+
+}  // namespace
+
+void add_report(CLI::App& program, int& exit_code) {
+  auto options = std::make_shared<ReportOptions>();
+  CLI::App* command = program.add_subcommand("report", "error against run time: all filters, all scenes");
+  command->footer("Example: feline report --scene window --filter trilinear,ewa,unit_table --size 256");
+  auto* const scene =
+      command->add_option("--scene", options->scenes, scene_names() + "; a list a,b, or all")->capture_default_str();
+  command->add_option("--filter", options->filters, contestant_names() + "; a list a,b, or all")->capture_default_str();
+  auto* const size =
+      command->add_option("--size", options->size, "picture size: N or WIDTHxHEIGHT; a sequence's frames have half")
+          ->capture_default_str();
+  auto* const gbuffer =
+      command
+          ->add_option("--gbuffer", options->gbuffer, "EXR with channels s, t, dsdx, dtdx, dsdy, dtdy: your own view")
+          ->excludes(scene)
+          ->excludes(size);
+  auto* const texture = command->add_option("--texture", options->texture, "image or .tx file for it")->needs(gbuffer);
+  command->add_flag("--srgb", options->srgb, "the texture file's colours are sRGB encoded")->needs(texture);
+  command->add_option("--wrap", options->wrap, fmt::format("of it: {}", fmt::join(kWrapNames, ", ")))->needs(texture);
+  command->add_option("--output", options->output, "directory for report.html, report.json, report.csv")
+      ->capture_default_str();
+  command->add_option("--cache", options->cache,
+                      "directory of what is known already, so that a report goes on where it was stopped; cache in "
+                      "--output by default");
+  command->add_option("--budget", options->budget, "seconds after which nothing new is begun")->check(number(0, 1e9));
+  command->add_option("--seed", options->seed, "of the ground truth's samples")->capture_default_str();
+  command->add_flag("--json", options->json, "print report.json");
+  command->callback([options, &exit_code] { exit_code = run_report(*options); });
+}
+
+}  // namespace feline
