@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <array>
 
 #include "testbench/figures/figure.h"
 #include "testbench/figures/viewing_angles.h"

@@ -12,7 +12,7 @@ namespace {
 
 std::vector<Figure> make_figures() {
   std::vector<Figure> all;
-  for (const auto family : {shape_figures, picture_figures, cost_figures, vertex_figures}) {
+  for (const auto family : {shape_figures, picture_figures, cost_figures, vertex_figures, pattern_figures}) {
     for (Figure& figure : family()) all.push_back(std::move(figure));
   }
   return all;

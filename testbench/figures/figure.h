@@ -28,16 +28,18 @@ struct Figure {
   std::function<FigureOutput(const FigureOptions& options)> make;
 };
 
-// In the order of the papers.
+// A family at a time.
 std::span<const Figure> figures();
 
 // Throws InputError listing the legal names.
 const Figure& find_figure(std::string_view name);
 
-// A file a family: surface plots of filter shapes, pictures, costs, vertex-based texturing.
+// The families: surface plots of filter shapes, Feline's pictures, costs, vertex-based texturing's pictures and
+// patterns.
 std::vector<Figure> shape_figures();
 std::vector<Figure> picture_figures();
 std::vector<Figure> cost_figures();
 std::vector<Figure> vertex_figures();
+std::vector<Figure> pattern_figures();
 
 }  // namespace feline

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kMargin = 12;
 constexpr int kLine = 18;
-constexpr double kCharacter = 6.6;  // the mean width of one at this size, rounded up: SVG breaks no lines itself
+constexpr double kCharacter = 7.0;  // the mean width of one at this size, rounded up: SVG breaks no lines itself
 
 std::size_t characters(int width) { return static_cast<std::size_t>(std::max(width / kCharacter, 8.0)); }
 

@@ -10,7 +10,7 @@ namespace feline::page {
 
 // Heights over a square grid around the origin, twice: from above a corner, and as a map of contour lines.
 struct SurfacePlot {
-  std::string name;  // letters, digits, '-' or '_': keeps the plots of a page apart
+  std::string name;   // letters, digits, '-' or '_': keeps the plots of a page apart
   std::string title;  // for those who do not see it
   std::string x_label;
   std::string y_label;
