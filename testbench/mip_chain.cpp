@@ -92,13 +92,6 @@ class Transfer {
   std::array<float, 255> boundary_{};
 };
 
-// A level in light, float32, channels interleaved.
-struct FloatLevel {
-  int width;
-  int height;
-  std::vector<float> values;
-};
-
 std::size_t value_count(int width, int height, int channels) {
   return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(channels);
 }
@@ -175,15 +168,22 @@ class Light {
 
 }  // namespace
 
+std::vector<FloatLevel> build_float_mip_chain(FloatLevel base, int channels, MipFilter filter, MipEdge edge) {
+  std::vector<FloatLevel> levels;
+  levels.push_back(std::move(base));
+  while (levels.back().width > 1 || levels.back().height > 1) {
+    FloatLevel& finer = levels.back();
+    levels.push_back(resize(finer, mip_size(finer.width, 1), mip_size(finer.height, 1), channels, filter, edge));
+  }
+  return levels;
+}
+
 std::vector<MipLevel> build_mip_chain(MipLevel base, int channels, MipFilter filter, bool srgb, MipEdge edge) {
   const Light light(channels, srgb);
-  FloatLevel level = light.decode(base);
+  const std::vector<FloatLevel> chain = build_float_mip_chain(light.decode(base), channels, filter, edge);
   std::vector<MipLevel> levels;
   levels.push_back(std::move(base));
-  while (level.width > 1 || level.height > 1) {
-    level = resize(level, mip_size(level.width, 1), mip_size(level.height, 1), channels, filter, edge);
-    levels.push_back(light.encode(level));
-  }
+  for (std::size_t k = 1; k < chain.size(); ++k) levels.push_back(light.encode(chain[k]));
   return levels;
 }
 

@@ -44,6 +44,17 @@ constexpr int mip_count(int width, int height) {
 std::vector<MipLevel> build_mip_chain(MipLevel base, int channels, MipFilter filter, bool srgb,
                                       MipEdge edge = MipEdge::kClamp);
 
+// A level in light, channels interleaved, before it is stored: values of any size and sign.
+struct FloatLevel {
+  int width = 0;
+  int height = 0;
+  std::vector<float> values;
+};
+
+// The same chain with nothing rounded to stored texels; every texel of it is a linear function of base.
+std::vector<FloatLevel> build_float_mip_chain(FloatLevel base, int channels, MipFilter filter,
+                                              MipEdge edge = MipEdge::kClamp);
+
 // Images reduced in each direction on its own, for RIP mapping: image j * columns + i measures mip_size(width, i) by
 // mip_size(height, j), down to one texel in both; otherwise as build_mip_chain.
 struct RipChain {

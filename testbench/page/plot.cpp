@@ -4,13 +4,9 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cerrno>
 #include <cmath>
-#include <system_error>
 
-#include "testbench/error.h"
-#include "testbench/page/html.h"
-#include "testbench/page/process.h"
+#include "testbench/page/gnuplot.h"
 
 namespace feline::page {
 namespace {
@@ -19,13 +15,6 @@ namespace {
 constexpr std::array<std::string_view, 7> kColours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                    "#e69f00", "#56b4e9", "#808080"};
 constexpr std::array<int, 7> kShapes{7, 5, 9, 11, 13, 6, 4};
-
-// In single quotes gnuplot runs nothing and escapes nothing; a line's end would end the command.
-std::string quoted(std::string_view text) {
-  std::string safe = "'";
-  for (const char c : text) safe += c == '\'' ? "''" : c == '\n' ? " " : std::string(1, c);
-  return safe + "'";
-}
 
 std::string axis_commands(char axis, const Axis& of) {
   std::string commands = fmt::format("set {}label {}\n", axis, quoted(of.label));
@@ -76,10 +65,9 @@ std::string look(Style style, std::size_t index) {
 
 std::string script(const Plot& plot) {
   std::string text = fmt::format(
-      "set terminal svg size {},{} dynamic font 'sans-serif,15' noenhanced\n"
-      "set encoding utf8\nset title {}\nset key bmargin center horizontal\nset border 3\n"
+      "set title {}\nset key bmargin center horizontal\nset border 3\n"
       "set grid lc rgb '#a0808080'\nset tics nomirror\nset boxwidth 0.8 / {}\n",
-      plot.width, plot.height, quoted(plot.title), std::max<std::size_t>(plot.series.size(), 1));
+      quoted(plot.title), std::max<std::size_t>(plot.series.size(), 1));
   text += axis_commands('x', plot.x) + axis_commands('y', plot.y);
   std::string draw;
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
@@ -106,52 +94,10 @@ std::string script(const Plot& plot) {
   return text + draw + "\n";
 }
 
-void replace_all(std::string& text, std::string_view from, std::string_view to) {
-  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
-    text.replace(at, from.size(), to);
-  }
-}
-
-void remove_all(std::string& text, std::string_view from, std::string_view until) {
-  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos;) {
-    text.erase(at, text.find(until, at) + until.size() - at);
-  }
-}
-
-// gnuplot's document to an element of a page: no declaration, name spaces or version; names of this plot alone; the
-// text colour for black.
-std::string embedded(std::string svg, const Plot& plot) {
-  svg.erase(0, svg.find("<svg"));
-  svg.erase(0, svg.find('>') + 1);
-  remove_all(svg, "<title>", "</title>");
-  remove_all(svg, "<desc>", "</desc>");
-  remove_all(svg, "<filter", "</filter>");
-  for (const char* const quote : {"'", "\""}) {
-    replace_all(svg, fmt::format("id={}", quote), fmt::format("id={}{}-", quote, plot.name));
-    replace_all(svg, fmt::format("xlink:href={}#", quote), fmt::format("href={}#{}-", quote, plot.name));
-    replace_all(svg, fmt::format("stroke={0}black{0}", quote), "stroke=\"currentColor\"");
-    replace_all(svg, fmt::format("fill={0}black{0}", quote), "fill=\"currentColor\"");
-    replace_all(svg, fmt::format(" color={0}black{0}", quote), "");
-  }
-  replace_all(svg, "url(#", "url(#" + plot.name + "-");
-  while (svg.ends_with('\n')) svg.pop_back();
-  return fmt::format("<svg role=\"img\" aria-label=\"{}\" viewBox=\"0 0 {} {}\">{}", escape(plot.title), plot.width,
-                     plot.height, svg);
-}
-
 }  // namespace
 
 std::string svg(const Plot& plot) {
-  Finished finished;
-  try {
-    finished = run_process({"gnuplot", "--default-settings"}, script(plot));
-  } catch (const std::system_error& error) {
-    throw InputError(fmt::format("gnuplot: {}; plots need it (Debian package gnuplot-nox)", error.code().message()));
-  }
-  if (finished.code != 0 || finished.output.find("</svg>") == std::string::npos) {
-    throw InputError(fmt::format("gnuplot: exit code {} for plot {}: {}", finished.code, plot.name, finished.errors));
-  }
-  return embedded(std::move(finished.output), plot);
+  return run_gnuplot(script(plot), {plot.name, plot.title, plot.width, plot.height});
 }
 
 }  // namespace feline::page

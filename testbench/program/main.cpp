@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -34,9 +35,11 @@ int run(const std::vector<std::string>& arguments, int argc, char** argv) {
   feline::add_vectors(program, exit_code);
   feline::add_cosim(program, exit_code, arguments);
   feline::add_report(program, exit_code);
-  const auto is_named = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
-  if (argc > 1 && argv[1][0] != '-' && std::ranges::none_of(program.get_subcommands(nullptr), is_named)) {
-    feline::bad_input("command line", "command", argv[1], "tables, scene, render, explain, vectors, cosim or report");
+  feline::add_figure(program, exit_code);
+  std::vector<std::string> names;
+  for (const CLI::App* const command : program.get_subcommands(nullptr)) names.push_back(command->get_name());
+  if (argc > 1 && argv[1][0] != '-' && std::ranges::find(names, argv[1]) == names.end()) {
+    feline::bad_input("command line", "command", argv[1], fmt::format("one of {}", fmt::join(names, ", ")));
   }
   feline::refuse_empty(arguments);
   feline::remove_temporaries_when_killed();
