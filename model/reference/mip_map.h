@@ -53,7 +53,7 @@ struct MipMap {
   const Level& base() const { return levels.front(); }
   // Where the full chain reaches 1 x 1, though this one may end before.
   int smallest_level() const {
-    return std::bit_width(static_cast<unsigned>(std::max(base().width, base().height))) - 1;
+    return static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(base().width, base().height)))) - 1;
   }
 };
 

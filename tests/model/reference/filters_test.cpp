@@ -108,8 +108,10 @@ TEST(reference_filters, feline_variants) {
   for (const auto& [kind, axes] : kinds) {
     for (const auto& [set, parameters] : sets) {
       for (const auto& [kernel_name, kernel] : kernels) {
-        const Filter* filter = find_filter("feline_" + kind + set + kernel_name);
-        ASSERT_NE(filter, nullptr) << kind << set << kernel_name;
+        std::string name = "feline_" + kind;
+        name.append(set).append(kernel_name);
+        const Filter* filter = find_filter(name);
+        ASSERT_NE(filter, nullptr) << name;
         for (int i = 0; i < 50; ++i) {
           const auto g = random_gradients(random, random.real(4, 60), random.real(0, 4));
           const auto lookup = lookup_at(noise.base(), random.real(0, 128), random.real(0, 128), g);

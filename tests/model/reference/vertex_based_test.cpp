@@ -57,7 +57,8 @@ TEST(reference_vertex_based, patterns) {
     double unit = 0;
     for (const auto& probe : pattern.probes) unit += std::exp(-2 * (probe.u * probe.u + probe.v * probe.v));
     for (std::size_t i = 0; i < pattern.probes.size(); ++i) {
-      const auto [u, v] = pattern.probes[i];
+      const double u = pattern.probes[i].u;
+      const double v = pattern.probes[i].v;
       EXPECT_LT(std::hypot(u, v), 1);
       EXPECT_NEAR(pattern.weights[i], std::exp(-2 * (u * u + v * v)) / unit, 1e-15);
       sum += pattern.weights[i];
