@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "testbench/measure/errors.h"
+#include "testbench/measure/images.h"
 
 namespace feline {
 namespace {
@@ -13,11 +14,20 @@ namespace {
 // 2 * 10^2 samples in a pixel's square: the truth's own error is then below the least that is told here.
 constexpr int kStrata = 10;
 
+// Without RIP images, which take longest to make, and the unit's memory: neither is shown.
+Surface make_plain_surface(const Scene& scene) {
+  Surface surface;
+  surface.texture = scene.texture();
+  surface.images.lanczos = to_reference(surface.texture, {});
+  surface.images.box = to_reference(scene.texture(MipFilter::kBox), {});
+  return surface;
+}
+
 }  // namespace
 
 Exhibition::Exhibition(std::string_view name, int size) : detail_{0, 0, size} {
   const Scene& scene = find_scene(name);
-  surface_ = std::make_unique<Surface>(make_surface(scene.texture(), {}, MipEdge::kRepeat));
+  surface_ = std::make_unique<Surface>(make_plain_surface(scene));
   view_ = make_view(scene, *surface_, size, size);
 }
 

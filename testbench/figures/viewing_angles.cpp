@@ -22,8 +22,9 @@ constexpr int kPixels = 8;  // a side of the picture
 constexpr int kDistances = 16;
 constexpr int kTurns = 8;
 constexpr int kMaxProbes = 16;
-// So that neither the clamp of radii at a texel nor the end of the mip levels is met.
-constexpr double kLeastRadius = 4;
+// Far from the clamp of radii at a texel and from the end of the mip levels; and where EWA changes levels, so that few
+// distances are enough for the mean.
+constexpr double kLeastRadius = 6;
 
 // What is in the texels does not matter to costs.
 reference::MipMap blank_texture() {
@@ -35,6 +36,14 @@ reference::MipMap blank_texture() {
   return map;
 }
 
+// Evenly over a square of 32 texels, in which lookups meet every place among the texels and stamps of the levels that
+// are read (Roberts' sequence, 2018).
+Vector2<double> scatter(int index) {
+  constexpr double kSquare = 32.0 / kTexture;
+  const auto part = [&](double step) { return kSquare * std::fmod(step * index, 1.0); };
+  return {part(0.7548776662466927), part(0.5698402909980532)};
+}
+
 void add(reference::Cost& sum, const reference::Cost& cost, double weight) {
   sum.probes += weight * cost.probes;
   sum.texels += weight * cost.texels;
@@ -44,8 +53,7 @@ void add(reference::Cost& sum, const reference::Cost& cost, double weight) {
 
 }  // namespace
 
-std::vector<Lookup> plane_lookups(double degrees, double radius, const TexturePlace& place, int side,
-                                  int texture_size) {
+std::vector<Lookup> plane_lookups(double degrees, double radius, double turn, int side, int texture_size) {
   const double angle = degrees * std::numbers::pi / 180;
   const double pixel = 2 * std::tan(kHalfField) / side;  // on the picture plane at distance 1
   // The plane, at distance 1 along the line of sight, is tilted about the horizontal: the ray (x, y, 1) meets it at
@@ -60,10 +68,10 @@ std::vector<Lookup> plane_lookups(double degrees, double radius, const TexturePl
       const double slope = depth * depth * std::tan(angle);  // of depth by y
       const auto on_texture = [&](double across, double along) {
         const double factor = scale / texture_size;
-        return Vector2<double>{factor * (std::cos(place.turn) * across - std::sin(place.turn) * along),
-                               factor * (std::sin(place.turn) * across + std::cos(place.turn) * along)};
+        return Vector2<double>{factor * (std::cos(turn) * across - std::sin(turn) * along),
+                               factor * (std::sin(turn) * across + std::cos(turn) * along)};
       };
-      lookups.push_back({place.middle + on_texture(x * depth, y * depth / std::cos(angle)),
+      lookups.push_back({on_texture(x * depth, y * depth / std::cos(angle)),
                          {on_texture(pixel * depth, 0),
                           on_texture(pixel * x * slope, pixel * (depth + y * slope) / std::cos(angle))}});
     }
@@ -75,13 +83,14 @@ AngleCosts measure_costs(double degrees) {
   static const reference::MipMap map = blank_texture();
   AngleCosts costs{degrees, {}, {}, {}, {}, {}};
   const double weight = 1.0 / (kDistances * kTurns * kPixels * kPixels);
+  int count = 0;
   for (int i = 0; i < kDistances * kTurns; ++i) {
-    const double radius = kLeastRadius * std::exp2((i / kTurns + 0.5) / kDistances);
-    // Over half a turn, after which texels and stamps look the same again. The middles are evenly scattered (Roberts'
-    // sequence), so that no place among the texels is preferred.
-    const TexturePlace place{{0.7548776662466927 * i, 0.5698402909980532 * i},
-                             std::numbers::pi * (i % kTurns + 0.5) / kTurns};
-    for (const Lookup& lookup : plane_lookups(degrees, radius, place, kPixels, kTexture)) {
+    const int distance = i / kTurns;
+    const double radius = kLeastRadius * std::exp2((distance + 0.5) / kDistances);
+    // Over half a turn, after which texels and stamps look the same again.
+    const double turn = std::numbers::pi * (i % kTurns + 0.5) / kTurns;
+    for (Lookup lookup : plane_lookups(degrees, radius, turn, kPixels, kTexture)) {
+      lookup.position = lookup.position + scatter(count++);
       const auto measure = [&](reference::Cost& sum, auto&& filter) {
         reference::Cost cost;
         filter(cost);

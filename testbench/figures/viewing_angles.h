@@ -10,16 +10,9 @@ namespace feline {
 // A plane seen at an angle between its normal and the line of sight, by a camera with a field of view of 4.8 degrees:
 // what WRL 99/1's figure 35 measures.
 
-// How the texture lies on the plane.
-struct TexturePlace {
-  reference::Vector2<double> middle;  // what is seen in the picture's middle, normalized
-  double turn;                        // radians
-};
-
-// The lookups of side x side pixels, for a texture of this many texels a side. At 0 degrees every pixel is a circle of
-// `radius` texels; elsewhere the middle one's minor radius is that.
-std::vector<reference::Lookup> plane_lookups(double degrees, double radius, const TexturePlace& place, int side,
-                                             int texture_size);
+// The lookups of side x side pixels, for a texture of this many texels a side, which is turned by `turn` radians on the
+// plane. At 0 degrees every pixel is a circle of `radius` texels; elsewhere the middle one's minor radius is that.
+std::vector<reference::Lookup> plane_lookups(double degrees, double radius, double turn, int side, int texture_size);
 
 // Means a pixel over viewing distances, evenly spread on a logarithmic scale over an octave, and over turns of the
 // texture.

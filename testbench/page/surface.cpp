@@ -15,11 +15,12 @@ std::string grid(const SurfacePlot& plot) {
   if (plot.side % 2 == 0 || plot.heights.size() != side * side) {
     throw std::invalid_argument("heights that are no square of an odd side");
   }
+  const int middle = plot.side / 2;
   std::string text;
   for (int row = 0; row < plot.side; ++row) {
     for (int column = 0; column < plot.side; ++column) {
       const auto index = static_cast<std::size_t>(row) * side + static_cast<std::size_t>(column);
-      text += fmt::format("{:g} {:g} {:.5f}\n", plot.step * (column - plot.side / 2), plot.step * (row - plot.side / 2),
+      text += fmt::format("{:g} {:g} {:.5f}\n", plot.step * (column - middle), plot.step * (row - middle),
                           plot.heights[index]);
     }
     text += '\n';
@@ -34,7 +35,8 @@ std::string outline(const SurfacePlot& plot) {
 }
 
 std::string script(const SurfacePlot& plot) {
-  const double extent = plot.step * (plot.side / 2);
+  const int middle = plot.side / 2;
+  const double extent = plot.step * middle;
   const double spacing = plot.high / plot.contours;
   std::string text = fmt::format("$grid << EOD\n{}EOD\n$outline << EOD\n{}EOD\n", grid(plot), outline(plot));
   text += fmt::format(
