@@ -78,7 +78,7 @@ std::string script(const Plot& plot) {
   std::string text = fmt::format(
       "set terminal svg size {},{} dynamic font 'sans-serif,15' noenhanced\n"
       "set encoding utf8\nset title {}\nset key bmargin center horizontal\nset border 3\n"
-      "set grid lc rgb '#a0808080'\nset tics nomirror\nset boxwidth 0.8 / {}\n",
+      "set grid lc rgb '#a0808080'\nset tics nomirror\nset mxtics 1\nset mytics 1\nset boxwidth 0.8 / {}\n",
       plot.width, plot.height, quoted(plot.title), std::max<std::size_t>(plot.series.size(), 1));
   text += axis_commands('x', plot.x) + axis_commands('y', plot.y);
   std::string draw;

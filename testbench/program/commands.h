@@ -18,6 +18,7 @@ enum ExitCode : int {
 void add_tables(CLI::App& program, int& exit_code);
 void add_scene(CLI::App& program, int& exit_code);
 void add_explain(CLI::App& program, int& exit_code);
+void add_stability(CLI::App& program, int& exit_code);
 void add_vectors(CLI::App& program, int& exit_code);
 // `arguments` is the whole command line, from which replay commands are made.
 void add_render(CLI::App& program, int& exit_code, const std::vector<std::string>& arguments);

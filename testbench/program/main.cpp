@@ -33,9 +33,11 @@ int run(const std::vector<std::string>& arguments, int argc, char** argv) {
   feline::add_explain(program, exit_code);
   feline::add_vectors(program, exit_code);
   feline::add_cosim(program, exit_code, arguments);
+  feline::add_stability(program, exit_code);
   const auto is_named = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
   if (argc > 1 && argv[1][0] != '-' && std::ranges::none_of(program.get_subcommands(nullptr), is_named)) {
-    feline::bad_input("command line", "command", argv[1], "tables, scene, render, explain, vectors or cosim");
+    feline::bad_input("command line", "command", argv[1],
+                      "tables, scene, render, explain, vectors, cosim or stability");
   }
   feline::refuse_empty(arguments);
   feline::remove_temporaries_when_killed();
