@@ -28,7 +28,7 @@ std::string quoted(std::string_view text) {
 }
 
 std::string axis_commands(char axis, const Axis& of) {
-  std::string commands = fmt::format("set {}label {}\n", axis, quoted(of.label));
+  std::string commands = fmt::format("set {}label {}{}\n", axis, quoted(of.label), axis == 'x' ? " offset 0,0.4" : "");
   if (of.log) commands += fmt::format("set logscale {0} 10\nset format {0} '10^%T'\n", axis);
   if (!of.names.empty()) {
     std::string names;
@@ -139,19 +139,25 @@ std::string embedded(std::string svg, const Plot& plot) {
                      plot.height, svg);
 }
 
-}  // namespace
-
-std::string svg(const Plot& plot) {
-  Finished finished;
+Finished gnuplot(std::vector<std::string> arguments, std::string_view input) {
+  arguments.insert(arguments.begin(), "gnuplot");
   try {
-    finished = run_process({"gnuplot", "--default-settings"}, script(plot));
+    return run_process(arguments, input);
   } catch (const std::system_error& error) {
     throw InputError(fmt::format("gnuplot: {}; plots need it (Debian package gnuplot-nox)", error.code().message()));
   }
+}
+
+}  // namespace
+
+std::string svg(const Plot& plot) {
+  Finished finished = gnuplot({"--default-settings"}, script(plot));
   if (finished.code != 0 || finished.output.find("</svg>") == std::string::npos) {
     throw InputError(fmt::format("gnuplot: exit code {} for plot {}: {}", finished.code, plot.name, finished.errors));
   }
   return embedded(std::move(finished.output), plot);
 }
+
+void check_gnuplot() { gnuplot({"--version"}, ""); }
 
 }  // namespace feline::page

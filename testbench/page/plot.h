@@ -51,4 +51,7 @@ struct Plot {
 // line is broken there. Throws InputError when there is no gnuplot, or when it fails.
 std::string svg(const Plot& plot);
 
+// Fails as a plot would without gnuplot, before the work that is to be plotted.
+void check_gnuplot();
+
 }  // namespace feline::page

@@ -2,14 +2,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "testbench/atomic_file.h"
 #include "testbench/error.h"
+#include "testbench/page/plot.h"
 #include "testbench/program/command_line.h"
 #include "testbench/program/commands.h"
+#include "testbench/program/stability_report.h"
 #include "testbench/stability/study_data.h"
 #include "testbench/stability/study_page.h"
 
@@ -39,32 +40,40 @@ std::vector<const stability::CaseClass*> chosen(const std::string& names) {
 
 int run_stability(StabilityOptions options) {
   options.study.classes = chosen(options.classes);
-  const std::filesystem::path directory = options.output;
-  if (!options.output.empty() && !std::filesystem::is_directory(directory)) {
-    bad_input(options.output, "--output", "no directory", "a directory that exists");
-  }
-  if (!options.output.empty()) check_writable(directory / "stability.html");
-  const stability::Study study = stability::run_study(options.study);
-  const std::string json = stability::to_json(study).dump(1) + "\n";
   if (!options.output.empty()) {
-    OutputFiles outputs;
-    outputs.write(directory / "stability.json", json);
-    outputs.write(directory / "stability.csv", stability::to_csv(study));
-    outputs.write(directory / "stability.html", stability::to_html(study));
-    outputs.commit();
+    const std::filesystem::path directory = options.output;
+    if (!std::filesystem::is_directory(directory)) {
+      bad_input(options.output, "--output", "no directory", "a directory that exists");
+    }
+    check_writable(directory / "stability.html");
+    page::check_gnuplot();
   }
-  fmt::print("{}", options.json ? json : stability::to_text(study));
-  return study.broken().empty() ? kHolds : kBroken;
+  return report_stability(stability::run_study(options.study), options.output, options.json);
 }
 
 }  // namespace
+
+int report_stability(const stability::Study& study, const std::filesystem::path& directory, bool as_json) {
+  const std::string json = stability::to_json(study).dump(1) + "\n";
+  if (!directory.empty()) {
+    OutputFiles outputs;
+    outputs.write(directory / "stability.json", json);
+    outputs.write(directory / "stability.csv", stability::to_csv(study));
+    outputs.write(directory / "stability-jumps.csv", stability::jumps_to_csv(study));
+    outputs.write(directory / "stability.html", stability::to_html(study));
+    outputs.commit();
+  }
+  fmt::print("{}", as_json ? json : stability::to_text(study));
+  return study.broken().empty() ? kHolds : kBroken;
+}
 
 void add_stability(CLI::App& program, int& exit_code) {
   auto options = std::make_shared<StabilityOptions>();
   CLI::App* command =
       program.add_subcommand("stability", "errors on stiff and extreme input, against 200 bits, and their bounds");
   command->footer(
-      "Writes stability.html, stability.json and stability.csv; exit code 1 if a bound is broken.\n"
+      "Writes stability.html, stability.json, stability.csv and stability-jumps.csv; exit code 1 if a bound is "
+      "broken.\n"
       "Example: feline stability --class condition,far --count 1000 --output /tmp");
   command->add_option("--class", options->classes, "classes of input, with a comma between, or all")
       ->capture_default_str();

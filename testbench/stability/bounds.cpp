@@ -13,15 +13,6 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
-// Simple's formulas, exactly evaluated, against the ideal ellipse: the longer gradient is at least 1/sqrt(2) of the
-// major radius, the shortest of sides and diagonals at least the minor one; the largest ratio of effective radii,
-// difference of minor radii to the major one and weighted turn are of gradients x = (1, 0), |y| <= 1, rounded up from
-// a lattice (tests/testbench/stability_test.cpp).
-constexpr double kSimpleMajorLow = 0.70710678;
-constexpr double kSimpleEffectiveHigh = 3.96;
-constexpr double kSimpleAxis = 0.338;
-// Weighted turn between a cell's entry and its ellipses (the same test).
-constexpr double kTableAxis = 0.0598;
 // Rounding four mantissas outward by less than one of at least 64 turns the axis by at most 2 |change|/major, weighted;
 // a length 1.2 % off can take the next row, or the other of two vectors of nearly equal length for the longer.
 constexpr double kMantissaAxis = 2 * 2.0 / 64;

@@ -48,6 +48,16 @@ Facts facts_of(const Case& of, const Truth& truth);
 // tests of what a broken bound does.
 double bound(Subject subject, Metric metric, const Facts& facts, double tighten = 1);
 
+// Simple's formulas, exactly evaluated, against the ideal ellipse: the longer gradient is at least 1/sqrt(2) of the
+// major radius, the shortest of sides and diagonals at least the minor one; the largest ratio of effective radii,
+// difference of minor radii to the major one and weighted turn are of gradients x = (1, 0), |y| <= 1, rounded up from
+// a lattice (tests/testbench/stability_test.cpp).
+inline constexpr double kSimpleMajorLow = 0.70710678;
+inline constexpr double kSimpleEffectiveHigh = 3.96;
+inline constexpr double kSimpleAxis = 0.338;
+// Weighted turn between a cell's entry and its ellipses (the same test).
+inline constexpr double kTableAxis = 0.0598;
+
 // The bound as a formula, and why it is that; "" where there is none.
 struct BoundText {
   std::string formula;

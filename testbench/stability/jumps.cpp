@@ -74,6 +74,7 @@ double share_of(Subject subject, const Case& of, const Truth& left, const Truth&
   const double smallest =
       outside(texture_of(of).last_level(), left.line.level.to_double(), right.line.level.to_double());
   const double level = bound(subject, Metric::kRawLevel, facts);
+  if (!std::isfinite(level)) return level;
   if (smallest <= level) return smallest / level;
   if (std::abs(before - after) != 1) return std::numeric_limits<double>::infinity();
   const double wanted = left.line.wanted.to_double();
@@ -108,6 +109,8 @@ Jump make_jump(std::optional<Subject> subject, const Path& path, std::uint32_t b
   jump.level = b.level - a.level;
   jump.colour = b.colour - a.colour;
   if (!is_unit(*subject)) jump.share = share_of(*subject, left, exact_left, exact_right, a.probes, b.probes);
+  // Written so that NaN is rounding, too.
+  if (!is_unit(*subject) && !(jump.share <= 1)) jump.cause = Cause::kRounding;
   return jump;
 }
 

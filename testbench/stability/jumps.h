@@ -31,10 +31,11 @@ enum class Cause {
   kProbeCount,    // fProbes rounds to another count, or the level passes that of 1 x 1
   kExponent,      // another exponent of group scaling
   kMantissa,      // another 8-bit mantissa
+  kRounding,      // of a formula: fProbes rounds to another count where Feline's boundary is out of its bound's reach
   kOther,
 };
-inline constexpr std::array<std::string_view, 6> kCauseNames{"longer vector",  "table cell", "probe count",
-                                                             "group exponent", "mantissa",   "other"};
+inline constexpr std::array<std::string_view, 7> kCauseNames{
+    "longer vector", "table cell", "probe count", "group exponent", "mantissa", "rounding", "other"};
 
 // A change between two lookups whose derivative differs by one ulp.
 struct Jump {

@@ -29,8 +29,8 @@ ClassResult run_class(const CaseClass& of, Study& study, Progress& progress) {
     const Truth truth = exact(drawn);
     const Facts facts = facts_of(drawn, truth);
     Decade* decade = nullptr;
-    // Only where float32 has the range: the plots are of the condition number.
-    if (facts.condition < 1e13 && facts.ordinary_range) {
+    // Only where float32 has the range and is given the gradients exactly: the plots are of the condition number.
+    if (facts.condition < 1e13 && facts.ordinary_range && facts.exact_in_texels) {
       decade = &study.decades[static_cast<int>(std::log10(facts.condition))];
     }
     for (std::size_t s = 0; s < kSubjects.size(); ++s) {
@@ -70,7 +70,7 @@ void add_jump(std::vector<JumpRow>& rows, const std::optional<Subject>& subject,
   ++row->places;
   const double level = std::abs(jump.level);
   const double colour = std::abs(jump.colour);
-  if (level > kLevelStep || colour > 1) ++row->over_a_step;
+  if (level > kLevelStep || colour > 1) row->over_a_step.push_back(jump);
   if (row->places == 1 || level > row->worst_level) row->worst = jump;
   row->worst_level = std::max(row->worst_level, level);
   row->worst_colour = std::max(row->worst_colour, colour);

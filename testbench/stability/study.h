@@ -47,7 +47,7 @@ struct JumpRow {
   std::optional<Subject> subject;
   Cause cause = Cause::kOther;
   std::uint64_t places = 0;
-  std::uint64_t over_a_step = 0;  // 1/256 octave, or a code
+  std::vector<Jump> over_a_step;  // by more than 1/256 octave, or a code
   double worst_level = 0, worst_colour = 0;
   int worst_probes = 0;
   double worst_exact_level = 0;  // of Feline at 200 bits over the same ulps

@@ -8,11 +8,13 @@
 
 namespace feline::stability {
 
-// Everything in the study. Numbers that are not finite are null; a worst lookup is its six operands in the shortest
-// decimals that read back as the same float32.
+// Everything in the study but the single jumps. Numbers that are not finite are null; a worst lookup is its six
+// operands in the shortest decimals that read back as the same float32.
 nlohmann::ordered_json to_json(const Study& study);
 // One line for each class, subject and metric.
 std::string to_csv(const Study& study);
+// One line for each jump of more than a step, with the lookup before it, on a texture of 256 x 256.
+std::string jumps_to_csv(const Study& study);
 // The tables of a terminal, 120 columns wide.
 std::string to_text(const Study& study);
 

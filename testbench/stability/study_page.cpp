@@ -50,23 +50,24 @@ std::string classes(const Study& study) {
           "of the minor one and 2/17 of the major one, which sets the level of 16 probes. The axis in "
           "radians times 1 - (minor/major)^2: how much an error of it changes the shape, and how well the "
           "input decides it. Levels in octaves, before and after the clamps to the texture's levels; "
-          "colours in codes of 1/255 of a smooth picture. \"lost\": no finite value. The last columns: the "
-          "largest error as a part of its own bound, and how many probe counts differ from the truth's.");
+          "colours in codes of 1/255 of a smooth picture. \"lost\": no finite value. Of bound: the largest "
+          "error of any quantity as a part of its own bound. Other counts: probe counts that differ from the truth's.");
   for (const ClassResult& result : study.classes) {
-    Table table{std::string(result.of->name) + ": " + std::string(result.of->description), {{"subject"}}, {}};
+    Table table{std::string(result.of->name) + ": " + std::string(result.of->description),
+                {{"subject"}, {"verdict"}, {"of bound", true}},
+                {}};
     for (const std::string_view name : kMetricNames) table.columns.push_back({std::string(name), true});
-    table.columns.push_back({"of bound", true});
-    table.columns.push_back({"verdict"});
     table.columns.push_back({"other counts", true});
     for (std::size_t s = 0; s < kSubjects.size(); ++s) {
       const ClassResult::Row& row = result.rows[s];
-      std::vector<Cell> cells{text(std::string(kSubjectNames[s]))};
+      const std::string said = verdict(row);
+      const bool bounded = said != "no bound";
+      std::vector<Cell> cells{text(std::string(kSubjectNames[s])),
+                              {said, bounded ? tone(said == "holds") : Tone::kPlain},
+                              text(bounded ? fmt::format("{:.3f}", worst_share(row)) : "-")};
       for (const Measure& measure : row.measures) {
         cells.push_back({measure_text(measure), measure.holds() ? Tone::kPlain : Tone::kBad});
       }
-      const std::string said = verdict(row);
-      cells.push_back(text(said == "no bound" ? "-" : fmt::format("{:.3f}", worst_share(row))));
-      cells.push_back({said, said == "no bound" ? Tone::kPlain : tone(said == "holds")});
       cells.push_back(text(fmt::format("{}", row.other_probes)));
       table.rows.push_back(std::move(cells));
     }
@@ -112,7 +113,8 @@ std::string jumps(const Study& study) {
           "octave or the colour by more than 1/255. Feline itself jumps where fProbes rounds to another count: with n "
           "probes the line is widened until they cover it, by up to log2((n + 3/2)/(n + 1)) octaves, and with one more "
           "it is not. Simple and Table Feline add the longer vector and the table's cells, the number format its "
-          "mantissas, which are lengths of 64 to 127 steps. Formulas must jump where Feline does and nowhere else.");
+          "mantissas, which are lengths of 64 to 127 steps, and its boundaries lie elsewhere. Formulas must jump where "
+          "Feline does and nowhere else.");
   Table causes{"Jumps by cause, all paths",
                {{"subject"},
                 {"cause"},
@@ -128,29 +130,32 @@ std::string jumps(const Study& study) {
                 {"verdict"}},
                {}};
   for (const JumpRow& row : study.jumps) {
-    const bool formula = row.subject && !is_unit(*row.subject);
-    causes.rows.push_back(
-        {text(subject_name(row.subject)),
-         text(std::string(kCauseNames[static_cast<std::size_t>(row.cause)])),
-         text(std::string(origin(row.cause))),
-         text(fmt::format("{}", row.places)),
-         text(fmt::format("{}", row.over_a_step)),
-         text(fmt::format("{:.4f}", row.worst_level)),
-         text(fmt::format("{:.1e}", row.worst_exact_level)),
-         text(fmt::format("{:.3f}", row.worst_colour)),
-         text(fmt::format("{}", row.worst_probes)),
-         text(std::isfinite(row.bound) ? fmt::format("{:.4f}", row.bound) : "Feline's own"),
-         text(std::string(row.worst.path)),
-         {!row.holds                      ? "broken"
-          : formula && row.unpromised > 0 ? fmt::format("{} not promised", row.unpromised)
-                                          : "holds",
-          !row.holds || (formula && row.unpromised > 0) ? (row.holds ? Tone::kPlain : Tone::kBad) : Tone::kGood}});
+    const bool promised = row.unpromised == 0;
+    causes.rows.push_back({text(subject_name(row.subject)),
+                           text(std::string(kCauseNames[static_cast<std::size_t>(row.cause)])),
+                           text(std::string(origin(row.cause))),
+                           text(fmt::format("{}", row.places)),
+                           text(fmt::format("{}", row.over_a_step.size())),
+                           text(fmt::format("{:.4f}", row.worst_level)),
+                           text(fmt::format("{:.1e}", row.worst_exact_level)),
+                           text(fmt::format("{:.3f}", row.worst_colour)),
+                           text(fmt::format("{}", row.worst_probes)),
+                           text(std::isfinite(row.bound) ? fmt::format("{:.4f}", row.bound) : "Feline's own"),
+                           text(std::string(row.worst.path)),
+                           {!row.holds ? "broken"
+                            : promised ? "holds"
+                                       : "no bound",
+                            !row.holds ? Tone::kBad
+                            : promised ? Tone::kGood
+                                       : Tone::kPlain}});
   }
   html += page::table(causes);
-  html += page::paragraph(fmt::format(
-      "The unit's bounds: Table {:.3f}, Simple {:.3f} octaves, the most by which stored radii can be off against each "
-      "other, times a line widened by 5/4, and 0.0224 for roundings.",
-      unit_jump_bound(true), unit_jump_bound(false)));
+  html += page::paragraph(
+      fmt::format("In Table mode the ratio of the radii is the cell's, so that probe counts change with "
+                  "cells. Every place over a step is in stability-jumps.csv. The unit's bounds: Table {:.3f}, Simple "
+                  "{:.3f} octaves, the most by which stored radii can be off against each "
+                  "other, times a line widened by 5/4, and 0.0224 for roundings.",
+                  unit_jump_bound(true), unit_jump_bound(false)));
   Table steps{"One probe more: 2 major/minor where it comes, and the level's jump there",
               {{"probes"}, {"Feline", true}, {"octaves", true}},
               {}};

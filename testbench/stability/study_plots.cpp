@@ -35,21 +35,22 @@ Plot by_condition(const Study& study, const std::string& name, const std::string
   return plot;
 }
 
+// Classes from top to bottom.
 Plot by_class(const Study& study, const std::string& name, const std::string& title, const std::string& unit,
               Metric metric) {
-  Plot plot{name, title, {}, {unit, true}};
-  for (const ClassResult& result : study.classes) plot.x.names.emplace_back(result.of->name);
+  Plot plot{name, title, {unit, true, kFloor / 10, 1000}, {}};
+  const std::size_t count = study.classes.size();
+  for (std::size_t c = count; c-- > 0;) plot.y.names.emplace_back(study.classes[c].of->name);
   for (std::size_t s = 0; s < kSubjects.size(); ++s) {
     Series series{std::string(kSubjectNames[s]), {}, Style::kPoints};
-    for (std::size_t c = 0; c < study.classes.size(); ++c) {
+    for (std::size_t c = 0; c < count; ++c) {
       const Measure& measure = study.classes[c].rows[s].measures[static_cast<std::size_t>(metric)];
-      if (measure.count > 0) series.points.push_back({static_cast<double>(c), std::max(measure.worst, kFloor)});
+      if (measure.count == 0) continue;
+      series.points.push_back({std::max(measure.worst, kFloor), static_cast<double>(count - 1 - c)});
     }
     plot.series.push_back(std::move(series));
   }
-  plot.y.low = kFloor / 10;
-  plot.y.high = 1000;
-  plot.height = 460;
+  plot.height = 240 + 22 * static_cast<int>(count);
   return plot;
 }
 
@@ -109,8 +110,8 @@ std::vector<std::string> plots(const Study& study) {
     add(by_condition(study, "minor", "Minor radius", &Decade::minor, false),
         "The printed formulas lose digits with the square of the condition number and have none left at 1e4 in float32 "
         "and 1e8 in double; the stable ones lose none. Worst of each decade, all classes between 2^-24 and 2^24 "
-        "texels; "
-        "1 is all digits.");
+        "texels "
+        "whose size is a power of two; 1 is all digits.");
     add(by_condition(study, "major", "Major radius", &Decade::major, true),
         "The printed formulas lose the major radius as well: it comes from a difference of two large numbers. The unit "
         "does not depend on the condition number.");
@@ -120,7 +121,7 @@ std::vector<std::string> plots(const Study& study) {
   }
   if (!study.classes.empty()) {
     add(by_class(study, "level", "Level of detail, worst of each class", "octaves", Metric::kLevel),
-        "Within the texture's levels. At the bottom: no error at all. Missing: no finite value.");
+        "Within the texture's levels. At the left end: no error at all. Missing: no finite value.");
     add(by_class(study, "colour", "Colour, worst of each class", "codes, 1/255", Metric::kColour),
         "A smooth picture. Far from the origin float32 loses colour that the unit's fixed point keeps.");
   }
