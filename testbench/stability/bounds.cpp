@@ -68,7 +68,8 @@ double unit_bound(bool table, Metric metric, const Facts& facts) {
 // Relative error of the radii by the printed formulas, to first order; no promise where it nears 1.
 double printed_radius(double unit, const Facts& facts) {
   const double error = 16 * unit * facts.condition * facts.condition;
-  return error <= 0.125 ? error : kNone;
+  if (error > 0.125) return kNone;
+  return error;
 }
 
 struct FormulaErrors {

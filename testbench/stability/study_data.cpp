@@ -115,8 +115,12 @@ double worst_share(const ClassResult::Row& row) {
   return std::ranges::max(row.measures, {}, &Measure::worst_share).worst_share;
 }
 
+bool has_bound(const ClassResult::Row& row) {
+  return std::ranges::any_of(row.measures, [](const Measure& m) { return m.bounded > 0; });
+}
+
 std::string verdict(const ClassResult::Row& row) {
-  if (std::ranges::none_of(row.measures, [](const Measure& m) { return m.bounded > 0; })) return "no bound";
+  if (!has_bound(row)) return "no bound";
   return worst_share(row) <= 1 ? "holds" : "broken";
 }
 

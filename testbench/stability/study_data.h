@@ -22,6 +22,8 @@ std::string to_text(const Study& study);
 std::string subject_name(const std::optional<Subject>& subject);
 // Whose a jump is: of Feline itself, of Simple or Table Feline, or of the number format.
 std::string_view origin(Cause cause);
+// Whether anything is promised of any lookup.
+bool has_bound(const ClassResult::Row& row);
 // "holds", "broken", or "no bound".
 std::string verdict(const ClassResult::Row& row);
 // Worst and mean, "lost" where values are.

@@ -42,6 +42,17 @@ std::string summary(const Study& study) {
   return html;
 }
 
+// "holds", and for how many lookups something is promised where that is not for all.
+Cell verdict_cell(const ClassResult::Row& row) {
+  if (!has_bound(row)) return text("no bound");
+  const bool holds = worst_share(row) <= 1;
+  const Measure& level = row.measures[static_cast<std::size_t>(Metric::kLevel)];
+  const std::uint64_t all = level.count + level.lost;
+  const double part = static_cast<double>(level.bounded) / static_cast<double>(std::max<std::uint64_t>(all, 1));
+  const std::string where = level.bounded < all ? fmt::format(" for {:.1f} %", 100 * part) : "";
+  return {(holds ? "holds" : "broken") + where, tone(holds)};
+}
+
 std::string classes(const Study& study) {
   std::string html =
       page::heading(2, "Errors by class") +
@@ -50,21 +61,18 @@ std::string classes(const Study& study) {
           "of the minor one and 2/17 of the major one, which sets the level of 16 probes. The axis in "
           "radians times 1 - (minor/major)^2: how much an error of it changes the shape, and how well the "
           "input decides it. Levels in octaves, before and after the clamps to the texture's levels; "
-          "colours in codes of 1/255 of a smooth picture. \"lost\": no finite value. Of bound: the largest "
+          "colours in codes of 1/255 of a smooth picture. \"lost\": no finite value. Verdict: against the "
+          "bounds below, and for how much of the class there is one where that is not all of it. Of bound: the largest "
           "error of any quantity as a part of its own bound. Other counts: probe counts that differ from the truth's.");
   for (const ClassResult& result : study.classes) {
-    Table table{std::string(result.of->name) + ": " + std::string(result.of->description),
-                {{"subject"}, {"verdict"}, {"of bound", true}},
-                {}};
+    html += page::heading(3, result.of->name) + page::paragraph(result.of->description);
+    Table table{"", {{"subject"}, {"verdict"}, {"of bound", true}}, {}};
     for (const std::string_view name : kMetricNames) table.columns.push_back({std::string(name), true});
     table.columns.push_back({"other counts", true});
     for (std::size_t s = 0; s < kSubjects.size(); ++s) {
       const ClassResult::Row& row = result.rows[s];
-      const std::string said = verdict(row);
-      const bool bounded = said != "no bound";
-      std::vector<Cell> cells{text(std::string(kSubjectNames[s])),
-                              {said, bounded ? tone(said == "holds") : Tone::kPlain},
-                              text(bounded ? fmt::format("{:.3f}", worst_share(row)) : "-")};
+      std::vector<Cell> cells{text(std::string(kSubjectNames[s])), verdict_cell(row),
+                              text(has_bound(row) ? fmt::format("{:.3f}", worst_share(row)) : "-")};
       for (const Measure& measure : row.measures) {
         cells.push_back({measure_text(measure), measure.holds() ? Tone::kPlain : Tone::kBad});
       }
@@ -140,7 +148,9 @@ std::string jumps(const Study& study) {
                            text(fmt::format("{:.1e}", row.worst_exact_level)),
                            text(fmt::format("{:.3f}", row.worst_colour)),
                            text(fmt::format("{}", row.worst_probes)),
-                           text(std::isfinite(row.bound) ? fmt::format("{:.4f}", row.bound) : "Feline's own"),
+                           text(std::isfinite(row.bound)        ? fmt::format("{:.4f}", row.bound)
+                                : row.cause == Cause::kRounding ? "none"
+                                                                : "where Feline has it"),
                            text(std::string(row.worst.path)),
                            {!row.holds ? "broken"
                             : promised ? "holds"

@@ -12,8 +12,8 @@
 namespace feline {
 
 // The radii of the derivatives that group rounded outward to a quadruple, for the bounds of ratio_bounds.h. They lie
-// anywhere in a box of one unit towards zero in each component; their radii are homogeneous functions: Simple's own with
-// exact components, for Table the singular values of the matrix.
+// anywhere in a box of one unit towards zero in each component; their radii are homogeneous functions: Simple's own
+// with exact components, for Table the singular values of the matrix.
 struct RadiusRange {
   double major_low, major_high, minor_low, minor_high;
 };
