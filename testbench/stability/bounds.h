@@ -44,6 +44,8 @@ struct Facts {
 };
 Facts facts_of(const Case& of, const Truth& truth);
 
+// The unit's numbers are those of the configuration that is checked in.
+//
 // The most that the subject may be off; infinite where nothing is promised. `tighten` divides every bound: above 1 for
 // tests of what a broken bound does.
 double bound(Subject subject, Metric metric, const Facts& facts, double tighten = 1);
