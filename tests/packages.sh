@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
 # The packages of the tests, besides those of the build. Sourced after testbench/build.sh.
 feline_install_tests() {
-  feline_install clang++=clang clang-format=clang-format clang-tidy=clang-tidy yosys=yosys iverilog=iverilog \
-    "/usr/include/*/gmp.h=libgmp-dev" /usr/include/mpfr.h=libmpfr-dev
+  feline_install clang++=clang clang-format=clang-format clang-tidy=clang-tidy yosys=yosys iverilog=iverilog
 }

@@ -46,7 +46,17 @@ std::string embedded(std::string svg, const Drawing& drawing) {
                      drawing.width, drawing.height, svg);
 }
 
+Finished gnuplot(std::string_view argument, std::string_view input) {
+  try {
+    return run_process({"gnuplot", std::string(argument)}, input);
+  } catch (const std::system_error& error) {
+    throw InputError(fmt::format("gnuplot: {}; plots need it (Debian package gnuplot-nox)", error.code().message()));
+  }
+}
+
 }  // namespace
+
+void check_gnuplot() { gnuplot("--version", ""); }
 
 // A line's end would end the command.
 std::string quoted(std::string_view text) {
@@ -59,12 +69,7 @@ std::string run_gnuplot(std::string_view commands, const Drawing& drawing) {
   const std::string script =
       fmt::format("set terminal svg size {},{} dynamic font 'sans-serif,15' noenhanced\nset encoding utf8\n{}",
                   drawing.width, drawing.height, commands);
-  Finished finished;
-  try {
-    finished = run_process({"gnuplot", "--default-settings"}, script);
-  } catch (const std::system_error& error) {
-    throw InputError(fmt::format("gnuplot: {}; plots need it (Debian package gnuplot-nox)", error.code().message()));
-  }
+  Finished finished = gnuplot("--default-settings", script);
   if (finished.code != 0 || finished.output.find("</svg>") == std::string::npos) {
     throw InputError(
         fmt::format("gnuplot: exit code {} for plot {}: {}", finished.code, drawing.name, finished.errors));

@@ -14,6 +14,9 @@ struct Drawing {
   int height;
 };
 
+// Throws InputError when there is no gnuplot: before the work whose plots it is to draw.
+void check_gnuplot();
+
 // A text in single quotes, in which gnuplot runs nothing and escapes nothing.
 std::string quoted(std::string_view text);
 

@@ -25,6 +25,7 @@ table { border-collapse: collapse; font-size: 0.875rem; line-height: 1.35; }
 caption { text-align: left; padding: 0.3rem 0; font-weight: 600; }
 th, td { padding: 0.3rem 0.6rem; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top; }
 th { background: var(--soft); }
+td:first-child { white-space: nowrap; }
 .number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
 .good { color: var(--good); font-weight: 600; }
 .bad { color: var(--bad); font-weight: 600; }

@@ -17,7 +17,7 @@ constexpr std::array<std::string_view, 7> kColours{"#0072b2", "#d55e00", "#009e7
 constexpr std::array<int, 7> kShapes{7, 5, 9, 11, 13, 6, 4};
 
 std::string axis_commands(char axis, const Axis& of) {
-  std::string commands = fmt::format("set {}label {}\n", axis, quoted(of.label));
+  std::string commands = fmt::format("set {}label {}{}\n", axis, quoted(of.label), axis == 'x' ? " offset 0,0.4" : "");
   if (of.log) commands += fmt::format("set logscale {0} 10\nset format {0} '10^%T'\n", axis);
   if (!of.names.empty()) {
     std::string names;
@@ -66,7 +66,7 @@ std::string look(Style style, std::size_t index) {
 std::string script(const Plot& plot) {
   std::string text = fmt::format(
       "set title {}\nset key bmargin center horizontal\nset border 3\n"
-      "set grid lc rgb '#a0808080'\nset tics nomirror\nset boxwidth 0.8 / {}\n",
+      "set grid lc rgb '#a0808080'\nset tics nomirror\nset mxtics 1\nset mytics 1\nset boxwidth 0.8 / {}\n",
       quoted(plot.title), std::max<std::size_t>(plot.series.size(), 1));
   text += axis_commands('x', plot.x) + axis_commands('y', plot.y);
   std::string draw;

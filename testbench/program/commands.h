@@ -18,6 +18,7 @@ enum ExitCode : int {
 void add_tables(CLI::App& program, int& exit_code);
 void add_scene(CLI::App& program, int& exit_code);
 void add_explain(CLI::App& program, int& exit_code);
+void add_stability(CLI::App& program, int& exit_code);
 void add_vectors(CLI::App& program, int& exit_code);
 void add_report(CLI::App& program, int& exit_code);
 void add_figure(CLI::App& program, int& exit_code);

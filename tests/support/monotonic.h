@@ -8,10 +8,6 @@
 
 namespace feline {
 
-// Found by footprint_bounds_long over all quadruples, rounded outwards.
-inline constexpr RatioBounds kSimpleRatios{0.989197, 1.01101, 0.839172, 1.19165};
-inline constexpr RatioBounds kTableRatios{0.949113, 1.062829, 0.737734, 1.420546};
-
 // The most, in octaves, by which the level of detail (before bias and clamps) can fall when all four derivatives are
 // multiplied by the same factor >= 1 (invariant 5). Proof, with M >= m the real radii, M' and m' the stored ones, p the
 // largest probe count, R = max(m, one texel, 2/(p + 1) lengthFactor M), which only grows, R' the same of the stored

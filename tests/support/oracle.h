@@ -8,7 +8,7 @@
 #include "model/memory.h"
 #include "model/sampler.h"
 #include "tables/sampler_state.h"
-#include "tests/support/real.h"
+#include "testbench/stability/real.h"
 
 // The third witness: every stage stated once more, exactly, from the contract comments and the papers. It shares with
 // the model the names of fields and formats, and no arithmetic: rationals of 128-bit integers here, tables by MPFR.

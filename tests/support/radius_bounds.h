@@ -6,31 +6,14 @@
 #include <cmath>
 
 #include "model/footprint.h"
+#include "testbench/stability/ratio_bounds.h"
 #include "tests/support/footprints.h"
 
 namespace feline {
 
-// How far the radii of footprint can be from those of the derivatives that group rounded to the nearest quadruple. The
-// derivatives lie anywhere within half a unit of it in each component; their radii are homogeneous functions:
-// Simple's own with exact components, for Table the singular values of the matrix. An effective radius is
-// max(minor, kLeastLine * major): plan widens the minor radius to 2/(maxProbes + 1) * lengthFactor of the major one,
-// here at the paper's least lengthFactor, 0.9625, as the machine holds it.
-inline constexpr double kLeastLine = 2.0 / 17 * 246 / 256;
-
-struct RatioBounds {
-  double major_low = 1, major_high = 1;  // of stored to real, 1 included
-  double effective_low = 1, effective_high = 1;
-
-  void include(const RatioBounds& other) {
-    major_low = std::min(major_low, other.major_low);
-    major_high = std::max(major_high, other.major_high);
-    effective_low = std::min(effective_low, other.effective_low);
-    effective_high = std::max(effective_high, other.effective_high);
-  }
-  double low() const { return std::min(major_low, effective_low); }
-  double high() const { return std::max(major_high, effective_high); }
-};
-
+// The radii of the derivatives that group rounded to the nearest quadruple, for the bounds of ratio_bounds.h. They lie
+// anywhere within half a unit of it in each component; their radii are homogeneous functions: Simple's own with exact
+// components, for Table the singular values of the matrix.
 struct RadiusRange {
   double major_low, major_high, minor_low, minor_high;
 };

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "testbench/stability/real.h"
 #include "tests/support/random.h"
-#include "tests/support/real.h"
 
 namespace feline {
 namespace {

@@ -34,7 +34,8 @@ void expect_refused(const TempDir& dir, const std::string& arguments, const std:
 std::string path(const TempDir& dir, const char* name) { return (dir / name).string(); }
 
 TEST(program, help_shows_an_example) {
-  for (const char* const command : {"tables", "scene", "render", "explain", "vectors", "cosim", "figure"}) {
+  for (const char* const command :
+       {"tables", "scene", "render", "explain", "vectors", "cosim", "report", "figure", "stability"}) {
     const Outcome outcome = run(std::string(command) + " --help");
     EXPECT_EQ(outcome.code, 0);
     EXPECT_NE(outcome.text.find("Example: feline " + std::string(command)), std::string::npos) << outcome.text;

@@ -4,6 +4,7 @@
 #include <gmpxx.h>
 #include <mpfr.h>
 
+#include <cstdint>
 #include <utility>
 
 namespace feline {
@@ -29,7 +30,12 @@ class Real {
   friend Real operator-(const Real& a, const Real& b) { return two(mpfr_sub, a, b); }
   friend Real operator*(const Real& a, const Real& b) { return two(mpfr_mul, a, b); }
   friend Real operator/(const Real& a, const Real& b) { return two(mpfr_div, a, b); }
+  friend Real operator-(const Real& a) { return one(mpfr_neg, a); }
   friend bool operator<(const Real& a, const Real& b) { return mpfr_less_p(a.value_, b.value_) != 0; }
+  friend bool operator>(const Real& a, const Real& b) { return mpfr_greater_p(a.value_, b.value_) != 0; }
+  friend bool operator<=(const Real& a, const Real& b) { return mpfr_lessequal_p(a.value_, b.value_) != 0; }
+  friend bool operator>=(const Real& a, const Real& b) { return mpfr_greaterequal_p(a.value_, b.value_) != 0; }
+  friend bool operator==(const Real& a, const Real& b) { return mpfr_equal_p(a.value_, b.value_) != 0; }
   friend Real sqrt(const Real& a) { return one(mpfr_sqrt, a); }
   friend Real exp(const Real& a) { return one(mpfr_exp, a); }
   friend Real log2(const Real& a) { return one(mpfr_log2, a); }
@@ -37,7 +43,13 @@ class Real {
   friend Real cos(const Real& a) { return one(mpfr_cos, a); }
   friend Real abs(const Real& a) { return one(mpfr_abs, a); }
   friend Real atan2(const Real& y, const Real& x) { return two(mpfr_atan2, y, x); }
+  friend Real hypot(const Real& a, const Real& b) { return two(mpfr_hypot, a, b); }
   friend Real pow(const Real& a, const Real& b) { return two(mpfr_pow, a, b); }
+  friend Real floor(const Real& a) {
+    Real result;
+    mpfr_floor(result.value_, a.value_);
+    return result;
+  }
 
   // The nearest multiple of 2^-fraction_bits, as an integer; no table value lies on a tie but exact ones.
   long rounded(int fraction_bits) const {
