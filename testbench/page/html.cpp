@@ -30,6 +30,9 @@ td:first-child { white-space: nowrap; }
 .good { color: var(--good); font-weight: 600; }
 .bad { color: var(--bad); font-weight: 600; }
 .gallery { display: grid; gap: 1rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 32rem), 1fr)); }
+.thumbnails { display: grid; gap: 0.75rem; grid-template-columns: repeat(auto-fill, minmax(9.5rem, 1fr)); }
+.magnified { image-rendering: pixelated; }
+summary { cursor: pointer; padding: 0.4rem 0; }
 figure { margin: 0; }
 figure svg, figure img { display: block; width: 100%; max-width: 100%; height: auto; }
 figcaption { font-size: 0.875rem; }
@@ -107,9 +110,22 @@ std::string gallery(std::span<const std::string> html) {
   return all + "</div>\n";
 }
 
-std::string png(std::span<const std::byte> file, std::string_view text) {
-  return fmt::format("<img alt=\"{}\" src=\"data:image/png;base64,{}\">", escape(text), base64(file));
+std::string thumbnails(std::span<const std::string> html) {
+  std::string all = "<div class=\"thumbnails\">\n";
+  for (const std::string& piece : html) all += piece;
+  return all + "</div>\n";
 }
+
+std::string fold(std::string_view summary_text, std::string_view html) {
+  return fmt::format("<details>\n<summary>{}</summary>\n{}</details>\n", escape(summary_text), html);
+}
+
+std::string png(std::string_view file_in_base64, std::string_view text, bool magnified) {
+  return fmt::format("<img alt=\"{}\"{} src=\"data:image/png;base64,{}\">", escape(text),
+                     magnified ? " class=\"magnified\"" : "", file_in_base64);
+}
+
+std::string png(std::span<const std::byte> file, std::string_view text) { return png(base64(file), text, false); }
 
 std::string base64(std::span<const std::byte> bytes) {
   constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

@@ -43,8 +43,14 @@ std::string table(const Table& table);
 std::string figure(std::string_view html, std::string_view caption_text);
 // Figures side by side where the window is wide enough, beneath each other where it is not.
 std::string gallery(std::span<const std::string> html);
+// Small figures in rows, as many as fit.
+std::string thumbnails(std::span<const std::string> html);
+// A piece that opens when its summary is chosen.
+std::string fold(std::string_view summary_text, std::string_view html);
 // A PNG file's bytes within the page; `text` is for those who do not see it.
 std::string png(std::span<const std::byte> file, std::string_view text);
+// The same of base64; `magnified`: pixels stay sharp squares.
+std::string png(std::string_view file_in_base64, std::string_view text, bool magnified);
 std::string base64(std::span<const std::byte> bytes);
 
 // The whole file: style sheet included, light or dark as the reader's system is; `text` is the title.

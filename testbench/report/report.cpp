@@ -3,28 +3,153 @@
 
 #include <fmt/format.h>
 
-namespace feline {
+#include <algorithm>
+#include <cmath>
 
-Report make_report(const Survey& survey) {
-  Report report;
+#include "testbench/report/claims.h"
+#include "testbench/report/page.h"
+#include "testbench/report/standing.h"
+
+namespace feline {
+namespace {
+
+std::string_view verdict_name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kHolds: return "holds";
+    case Verdict::kContradicted: return "contradicted";
+    case Verdict::kNotMeasured: return "not measured";
+  }
+  return "";
+}
+
+// Infinity has no JSON: a picture without error has no psnr.
+nlohmann::ordered_json to_json(const CellErrors& errors) {
+  nlohmann::ordered_json json{{"rmse", errors.errors.rmse()},
+                              {"worst", errors.errors.worst},
+                              {"worst_column", errors.errors.worst_column},
+                              {"worst_row", errors.errors.worst_row}};
+  if (std::isfinite(errors.errors.psnr())) json["psnr"] = errors.errors.psnr();
+  if (errors.shimmer) json["shimmer"] = std::sqrt(*errors.shimmer);
+  return json;
+}
+
+nlohmann::ordered_json row_to_json(const Cell& cell) {
+  const bool told = find_contestant(cell.contestant)->kind != Contestant::Kind::kLibrary;
+  nlohmann::ordered_json json{{"filter", cell.contestant},
+                              {"gaussian", to_json(cell.gaussian)},
+                              {"box", to_json(cell.box)},
+                              {"seen", cell.visible},
+                              {"nanoseconds", cell.nanoseconds}};
+  if (told) {
+    json["probes"] = cell.cost.probes;
+    json["texels"] = cell.cost.texels;
+    json["cycles"] = cell.cost.cycles;
+    json["stamp_cycles"] = cell.cost.stamp_cycles;
+  }
+  if (cell.rtl_cycles) json["rtl_cycles"] = *cell.rtl_cycles;
+  return json;
+}
+
+nlohmann::ordered_json to_json(const ExhibitResult& result) {
+  nlohmann::ordered_json json{{"scene", result.plan.name},
+                              {"width", result.plan.width},
+                              {"height", result.plan.height},
+                              {"frames", result.plan.frame_count}};
+  if (result.truth) {
+    json["truth"] = {{"samples", result.truth->samples},
+                     {"projection", result.plan.perspective ? "exact" : "affine"},
+                     {"gaussian_error", result.truth->gaussian_error},
+                     {"box_error", result.truth->box_error}};
+  }
+  json["filters"] = nlohmann::ordered_json::array();
+  for (const Cell& cell : result.cells) json["filters"].push_back(row_to_json(cell));
+  json["unit_error"] = nlohmann::ordered_json::array();
+  for (const Split& split : result.splits) {
+    json["unit_error"].push_back({{"kernel", split.kernel},
+                                  {"feline_rmse", std::sqrt(split.feline)},
+                                  {"table_rmse", std::sqrt(split.table)},
+                                  {"arithmetic_rmse", std::sqrt(split.arithmetic)}});
+  }
+  return json;
+}
+
+nlohmann::ordered_json to_json(const Claim& claim) {
+  nlohmann::ordered_json json{{"claim", claim.name},
+                              {"statement", claim.statement},
+                              {"source", claim.source},
+                              {"verdict", verdict_name(claim.verdict)},
+                              {"measured", claim.measured}};
+  if (claim.verdict == Verdict::kContradicted) json["reason"] = claim.reason;
+  return json;
+}
+
+std::string number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
+
+std::string to_csv(const Survey& survey) {
+  std::string csv =
+      "scene,filter,rmse_gaussian,psnr_gaussian,worst_gaussian,rmse_box,psnr_box,worst_box,seen,shimmer_gaussian,"
+      "nanoseconds,probes,texels,cycles,stamp_cycles,rtl_cycles,pareto\n";
   for (const ExhibitResult& result : survey.results) {
-    report.text +=
-        fmt::format("{} {}x{} truth {} samples, error {:.2g} {:.2g}\n", result.plan.name, result.plan.width,
-                    result.plan.height, result.truth ? result.truth->samples : 0,
-                    result.truth ? result.truth->gaussian_error : 0, result.truth ? result.truth->box_error : 0);
     for (const Cell& cell : result.cells) {
-      report.text += fmt::format(
-          "  {:<42}{:7.2f}{:7.2f}  {:6.3f} {:7.0f} ns {:6.2f} probes {:7.1f} texels {:7.2f} cycles {:7.2f} rtl "
-          "{:.4f}\n",
-          cell.contestant, cell.gaussian.errors.psnr(), cell.box.errors.psnr(), cell.visible, cell.nanoseconds,
-          cell.cost.probes, cell.cost.texels, cell.cost.cycles, cell.rtl_cycles.value_or(0),
-          cell.gaussian.shimmer.value_or(0));
-    }
-    for (const Split& split : result.splits) {
-      report.text += fmt::format("  split {:<10} feline {:.2e} table {:.2e} arithmetic {:.2e}\n", split.kernel,
-                                 split.feline, split.table, split.arithmetic);
+      const bool told = find_contestant(cell.contestant)->kind != Contestant::Kind::kLibrary;
+      const auto cost = [&](double value) { return told ? number(value) : std::string(); };
+      std::string fronts;
+      for (const TruthKind& truth : kTruthKinds) {
+        for (const Currency& currency : kCurrencies) {
+          if (!on_front(pareto_front(result.cells, currency, truth), cell)) continue;
+          fronts += fmt::format("{}{}:{}", fronts.empty() ? "" : " ", truth.name, currency.name);
+        }
+      }
+      csv += fmt::format(
+          "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", result.plan.name, cell.contestant,
+          number(cell.gaussian.errors.rmse()), number(cell.gaussian.errors.psnr()), number(cell.gaussian.errors.worst),
+          number(cell.box.errors.rmse()), number(cell.box.errors.psnr()), number(cell.box.errors.worst),
+          number(cell.visible), cell.gaussian.shimmer ? number(std::sqrt(*cell.gaussian.shimmer)) : "",
+          number(cell.nanoseconds), cost(cell.cost.probes), cost(cell.cost.texels), cost(cell.cost.cycles),
+          cost(cell.cost.stamp_cycles), cell.rtl_cycles ? number(*cell.rtl_cycles) : "", fronts);
     }
   }
+  return csv;
+}
+
+std::string to_text(const Survey& survey, const std::vector<Claim>& claims) {
+  std::string text;
+  for (const ExhibitResult& result : survey.results) {
+    std::vector<const Cell*> sorted;
+    for (const Cell& cell : result.cells) sorted.push_back(&cell);
+    std::ranges::stable_sort(sorted, {}, [](const Cell* cell) { return cell->gaussian.errors.mean_square; });
+    text += fmt::format("{:<44}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}\n", result.plan.name + ", PSNR against", "Gaussian",
+                        "box", "ns", "cycles", "texels", "RTL");
+    for (const Cell* const cell : sorted) {
+      text += fmt::format("  {:<42}{:>9.2f}{:>9.2f}{:>9.0f}{:>9.2f}{:>9.1f}{:>9}\n", cell->contestant,
+                          cell->gaussian.errors.psnr(), cell->box.errors.psnr(), cell->nanoseconds, cell->cost.cycles,
+                          cell->cost.texels, cell->rtl_cycles ? fmt::format("{:.1f}", *cell->rtl_cycles) : "");
+    }
+  }
+  for (const Claim& claim : claims) {
+    if (claim.verdict == Verdict::kNotMeasured) continue;
+    text += fmt::format("{:<14}{} ({})\n", verdict_name(claim.verdict), claim.name, claim.source);
+  }
+  if (survey.missing != 0) {
+    text +=
+        fmt::format("{} pieces were not begun within the budget: the same command goes on with them\n", survey.missing);
+  }
+  return text;
+}
+
+}  // namespace
+
+Report make_report(const Survey& survey) {
+  const std::vector<Claim> claims = judge_claims(survey);
+  Report report;
+  report.holds = std::ranges::none_of(
+      claims, [](const Claim& claim) { return claim.ours && claim.verdict == Verdict::kContradicted; });
+  report.json = {{"missing", survey.missing}, {"holds", report.holds}};
+  for (const ExhibitResult& result : survey.results) report.json["scenes"].push_back(to_json(result));
+  for (const Claim& claim : claims) report.json["claims"].push_back(to_json(claim));
+  report.csv = to_csv(survey);
+  report.text = to_text(survey, claims);
+  report.html = report_page(survey, claims);
   return report;
 }
 

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "testbench/measure/survey.h"
+
+namespace feline {
+
+enum class Verdict : std::uint8_t { kHolds, kContradicted, kNotMeasured };
+
+// A sentence of a paper, or a bound of this project, and what was measured of it.
+struct Claim {
+  std::string name;
+  std::string statement;
+  std::string source;
+  bool ours = false;  // a bound of this project: the report fails when it is broken
+  Verdict verdict = Verdict::kNotMeasured;
+  std::vector<std::string> measured;  // a line each
+  std::string reason;                 // where the measurement contradicts the statement
+};
+
+std::vector<Claim> judge_claims(const Survey& survey);
+
+// How far the 8-bit unit falls behind Table Feline in double, decibels against the Gaussian truth.
+inline constexpr double kUnitBound = 0.25;
+
+}  // namespace feline

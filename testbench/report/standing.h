@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "testbench/measure/survey.h"
+
+namespace feline {
+
+// What a pixel costs, in three currencies.
+struct Currency {
+  std::string_view name;   // of plots and fields
+  std::string_view label;  // of an axis
+  double (*of)(const Cell& cell);
+  // The bit-accurate model's time says nothing of hardware; a library tells neither texels nor cycles.
+  bool (*counts)(const Contestant& contestant);
+};
+extern const std::array<Currency, 3> kCurrencies;  // nanoseconds, cycles, texels
+
+// What a pixel ought to be: the Gaussian, then the box.
+struct TruthKind {
+  std::string_view name;
+  std::string_view label;
+  CellErrors Cell::*errors;
+};
+extern const std::array<TruthKind, 2> kTruthKinds;
+
+// The cells that no other one beats in both cost and error, cheapest first.
+std::vector<const Cell*> pareto_front(const std::vector<Cell>& cells, const Currency& currency, const TruthKind& truth);
+bool on_front(const std::vector<const Cell*>& front, const Cell& cell);
+
+// Each contestant over all exhibits that it was measured on, if on every one: mean costs, pooled mean squares; the
+// worst of the worst errors. Named "all".
+std::vector<Cell> pool_exhibits(const Survey& survey);
+
+// Null where it was not measured.
+const Cell* find_cell(const ExhibitResult& result, std::string_view contestant);
+
+}  // namespace feline

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "testbench/report/tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "testbench/page/plot.h"
+
+namespace feline {
+namespace {
+
+// A filter's name without what every Feline row repeats.
+std::string short_name(std::string name) {
+  const auto replace = [&](std::string_view from, std::string_view to) {
+    if (const auto at = name.find(from); at != std::string::npos) name.replace(at, from.size(), to);
+  };
+  replace("_high_quality", " HQ");
+  replace("_high_efficiency", " HE");
+  replace("_gaussian", " g");
+  replace("feline_", "");
+  return name;
+}
+
+page::Cell plain(std::string text) { return {std::move(text)}; }
+
+page::Cell cost(const Cell& cell, const Currency& currency, const std::string& format,
+                const std::array<std::vector<const Cell*>, 2>& fronts) {
+  if (!currency.counts(*find_contestant(cell.contestant))) return plain("");
+  const bool best = on_front(fronts[0], cell) || on_front(fronts[1], cell);
+  return {fmt::format(fmt::runtime(format), currency.of(cell)), best ? page::Tone::kGood : page::Tone::kPlain};
+}
+
+}  // namespace
+
+std::string decibels(double psnr) { return std::isfinite(psnr) ? fmt::format("{:.2f}", psnr) : "equal"; }
+
+page::Table standing_table(const std::vector<Cell>& cells) {
+  page::Table table;
+  table.columns = {
+      {"filter"},       {"PSNR, Gaussian", true}, {"PSNR, box", true},      {"RMSE x 1000, Gaussian", true},
+      {"worst", true},  {"seen, %", true},        {"shimmer x 1000", true}, {"ns", true},
+      {"cycles", true}, {"texels", true},         {"probes", true},         {"RTL cycles", true}};
+  std::array<std::array<std::vector<const Cell*>, 2>, 3> fronts;
+  for (std::size_t i = 0; i < kCurrencies.size(); ++i) {
+    for (std::size_t j = 0; j < kTruthKinds.size(); ++j) {
+      fronts[i][j] = pareto_front(cells, kCurrencies[i], kTruthKinds[j]);
+    }
+  }
+  std::vector<const Cell*> sorted;
+  for (const Cell& cell : cells) sorted.push_back(&cell);
+  std::ranges::stable_sort(sorted, [](const Cell* a, const Cell* b) {
+    return a->gaussian.errors.mean_square < b->gaussian.errors.mean_square;
+  });
+  for (const Cell* const cell : sorted) {
+    const bool known = find_contestant(cell->contestant)->kind != Contestant::Kind::kLibrary;
+    table.rows.push_back(
+        {plain(cell->contestant), plain(decibels(cell->gaussian.errors.psnr())),
+         plain(decibels(cell->box.errors.psnr())), plain(fmt::format("{:.2f}", 1000 * cell->gaussian.errors.rmse())),
+         plain(fmt::format("{:.3f}", cell->gaussian.errors.worst)), plain(fmt::format("{:.2f}", 100 * cell->visible)),
+         plain(cell->gaussian.shimmer ? fmt::format("{:.2f}", 1000 * std::sqrt(*cell->gaussian.shimmer)) : ""),
+         cost(*cell, kCurrencies[0], "{:.0f}", fronts[0]), cost(*cell, kCurrencies[1], "{:.2f}", fronts[1]),
+         cost(*cell, kCurrencies[2], "{:.1f}", fronts[2]), plain(known ? fmt::format("{:.2f}", cell->cost.probes) : ""),
+         plain(cell->rtl_cycles ? fmt::format("{:.1f}", *cell->rtl_cycles) : "")});
+  }
+  return table;
+}
+
+std::string standing_plot(const std::string& name, const std::string& title, const std::vector<Cell>& cells,
+                          const Currency& currency, const TruthKind& truth) {
+  page::Plot plot;
+  plot.name = name;
+  plot.title = title;
+  plot.x.label = currency.label;
+  plot.x.log = true;
+  plot.y.label = "PSNR, dB";
+  page::Series front{"Pareto front", {}, page::Style::kLines};
+  page::Series papers{"papers, double", {}, page::Style::kPoints};
+  page::Series unit{"the 8-bit unit", {}, page::Style::kPoints};
+  page::Series library{"OpenImageIO", {}, page::Style::kPoints};
+  const auto best = pareto_front(cells, currency, truth);
+  const auto point_of = [&](const Cell& cell) {
+    return page::Point{currency.of(cell), (cell.*truth.errors).errors.psnr(),
+                       on_front(best, cell) ? short_name(cell.contestant) : ""};
+  };
+  for (const Cell* const cell : best) front.points.push_back({currency.of(*cell), (cell->*truth.errors).errors.psnr()});
+  for (const Cell& cell : cells) {
+    const Contestant& contestant = *find_contestant(cell.contestant);
+    if (!currency.counts(contestant)) continue;
+    page::Series& series = contestant.kind == Contestant::Kind::kReference ? papers
+                           : contestant.kind == Contestant::Kind::kUnit    ? unit
+                                                                           : library;
+    series.points.push_back(point_of(cell));
+  }
+  plot.series = {std::move(front), std::move(papers), std::move(unit), std::move(library)};
+  return page::svg(plot);
+}
+
+std::vector<std::string> standing_plots(const std::string& name, const std::vector<Cell>& cells) {
+  std::vector<std::string> plots;
+  for (const TruthKind& truth : kTruthKinds) {
+    for (const Currency& currency : kCurrencies) {
+      const std::string drawing = standing_plot(fmt::format("{}-{}-{}", name, truth.name, currency.name),
+                                                fmt::format("{}: {}", name, truth.label), cells, currency, truth);
+      plots.push_back(
+          page::figure(drawing, fmt::format("Error against the {}, over {}.", truth.label, currency.label)));
+    }
+  }
+  return plots;
+}
+
+}  // namespace feline
