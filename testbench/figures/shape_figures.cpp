@@ -106,9 +106,10 @@ FigureOutput make_gaussian() {
                fmt::format("After WRL 99/1, figure 4: exp(-2 d²) inside the ellipse, volume 1. Gradients ({}, {}) and "
                            "({}, {}) texels, chosen so that Simple Feline wants {:.2f} probes, Texram {:.2f} and the "
                            "ideal computation {:.2f}, as the report prints; minor radius {:.2f} texel. The map's lines "
-                           "are tenths of the vertical axis, dashed is the ellipse.",
+                           "are {:.2f} apart, dashed is the ellipse.",
                            kPaperGradients.x.u, kPaperGradients.x.v, kPaperGradients.y.u, kPaperGradients.y.v,
-                           simple_probes, texram, ideal_probes, axes.minor_radius)),
+                           simple_probes, texram, ideal_probes, axes.minor_radius,
+                           kEllipseFrame.high / page::SurfacePlot{}.contours)),
           facts};
 }
 
@@ -117,6 +118,9 @@ struct ShapeFigure {
   std::string title;
   std::string description;
 };
+
+// Never a negative zero.
+double to_thousandths(double value) { return std::round(1000 * value) / 1000 + 0.0; }
 
 std::string probe_text(const PlannedShape& planned) {
   const double radius = std::exp2(planned.line.level_of_detail);
@@ -143,7 +147,7 @@ FigureOutput make_shape(const ShapeFigure& figure) {
       "response, mip levels by a Lanczos filter, mean over all places of a texel in their grids; volume {:.3f}, "
       "highest "
       "{:.3f}, lowest {:.3f}.",
-      figure.number, probe_text(planned), shape.volume(), shape.highest(), shape.lowest());
+      figure.number, probe_text(planned), shape.volume(), shape.highest(), to_thousandths(shape.lowest()));
   if (detail) {
     const double circle = std::sqrt(2);
     caption += " Dashed: the nominal radius. The vertical axis reaches half as far again as in the other figures.";

@@ -56,7 +56,7 @@ std::string script(const SurfacePlot& plot) {
       "set ytics 2 nomirror offset 0,0\nset xlabel {} offset 0,0\nset ylabel {} offset 0,0\nset border 3\n"
       "set grid lc rgb '#a0808080'\n"
       "plot $outline using 1:2 with lines lc rgb '#d55e00' lw 1.5 dt 2, "
-      "$contours using 1:2 with lines lc rgb '#0072b2' lw 1\nunset multiplot\n",
+      "$contours using 1:2 with lines lc rgb '#0072b2' lw 0.8\nunset multiplot\n",
       quoted(plot.x_label), quoted(plot.y_label));
   return text;
 }

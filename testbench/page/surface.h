@@ -20,7 +20,7 @@ struct SurfacePlot {
   // Ends of the vertical axis, so that plots can share one; contour lines stand at equal parts of `high`.
   double low = 0;
   double high = 1;
-  int contours = 10;
+  int contours = 20;
   std::vector<Point> outline{};  // a dashed line on the map, for what the heights ought to fill
   int width = 860;
   int height = 400;
