@@ -57,4 +57,9 @@ Colour feline_filter(const MipMap& map, AxesFunction axes, const FelineParameter
   return sample_line(map, kernel, line, lookup.position, cost);
 }
 
+Colour feline_circles_filter(const MipMap& map, const FelineParameters& parameters, const Lookup& lookup, Cost& cost) {
+  const Axes<double> axes = ellipse_axes(in_texels(lookup.gradients, map.base()));
+  return sample_line_of_circles(map, plan_feline(axes, parameters, map.smallest_level()), lookup.position, cost);
+}
+
 }  // namespace feline::reference

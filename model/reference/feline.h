@@ -28,4 +28,7 @@ using AxesFunction = Axes<double> (*)(const Gradients<double>&);
 Colour feline_filter(const MipMap& map, AxesFunction axes, const FelineParameters& parameters, ProbeKernel kernel,
                      const Lookup& lookup, Cost& cost);
 
+// The exact ellipse, and circles of texels for probes.
+Colour feline_circles_filter(const MipMap& map, const FelineParameters& parameters, const Lookup& lookup, Cost& cost);
+
 }  // namespace feline::reference

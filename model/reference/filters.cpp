@@ -142,6 +142,13 @@ std::vector<Filter> make_filters() {
                    return texram_filter(images.lanczos, kMaxProbes, pixel.lookup, cost);
                  }});
   add_feline(all);
+  all.push_back({"feline_ideal_circles",
+                 "the line of feline_ideal, with circles of texels for probes",
+                 kFeline,
+                 {},
+                 [](const Images& images, const Pixel& pixel, Cost& cost) {
+                   return feline_circles_filter(images.box, kExact, pixel.lookup, cost);
+                 }});
   all.push_back(ewa_row("ewa", "every texel inside the ellipse, mip-mapped", EwaParameters{}));
   all.push_back(ewa_row("ewa_level0", "every texel of level 0 inside the ellipse", EwaParameters{false, 0}));
   return all;

@@ -16,7 +16,12 @@ struct ProbeLine {
   double falloff = 0;  // the weight of a probe d steps from the middle is exp(-falloff d^2) / sum
 };
 
+// Bilinear or Gaussian 2 x 2 probes on two mip levels.
 Colour sample_line(const MipMap& map, ProbeKernel kernel, const ProbeLine& line, const Vector2<double>& middle,
                    Cost& cost);
+
+// Every texel in a circle around each place, weighted by exp(-2 d^2), as EWA reads a round pixel: the probe that the 2
+// x 2 texels stand for. Tells the error of the line from that of its probes.
+Colour sample_line_of_circles(const MipMap& map, const ProbeLine& line, const Vector2<double>& middle, Cost& cost);
 
 }  // namespace feline::reference

@@ -17,8 +17,8 @@ struct Claim {
   std::string source;
   bool ours = false;  // a bound of this project: the report fails when it is broken
   Verdict verdict = Verdict::kNotMeasured;
-  std::vector<std::string> measured;  // a line each
-  std::string reason;                 // where the measurement contradicts the statement
+  std::vector<std::string> measured{};  // a line each
+  std::string reason{};                 // where the measurement contradicts the statement
 };
 
 std::vector<Claim> judge_claims(const Survey& survey);

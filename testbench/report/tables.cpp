@@ -23,6 +23,22 @@ std::string short_name(std::string name) {
   return name;
 }
 
+// Those of a front whose names do not run into each other, from its dear end, where the best filters are.
+std::vector<const Cell*> names_apart(const std::vector<const Cell*>& front, const Currency& currency,
+                                     const TruthKind& truth) {
+  constexpr double kLine = 2.5;   // decibels a line of text, on an axis of about 50
+  constexpr double kWidth = 1.2;  // decades that a name is wide
+  std::vector<const Cell*> named;
+  for (std::size_t i = front.size(); i-- > 0;) {
+    const auto runs_into = [&](const Cell* other) {
+      return std::abs(std::log10(currency.of(*other) / currency.of(*front[i]))) < kWidth &&
+             std::abs((other->*truth.errors).errors.psnr() - (front[i]->*truth.errors).errors.psnr()) < kLine;
+    };
+    if (std::ranges::none_of(named, runs_into)) named.push_back(front[i]);
+  }
+  return named;
+}
+
 page::Cell plain(std::string text) { return {std::move(text)}; }
 
 page::Cell cost(const Cell& cell, const Currency& currency, const std::string& format,
@@ -80,9 +96,10 @@ std::string standing_plot(const std::string& name, const std::string& title, con
   page::Series unit{"the 8-bit unit", {}, page::Style::kPoints};
   page::Series library{"OpenImageIO", {}, page::Style::kPoints};
   const auto best = pareto_front(cells, currency, truth);
+  const auto named = names_apart(best, currency, truth);
   const auto point_of = [&](const Cell& cell) {
     return page::Point{currency.of(cell), (cell.*truth.errors).errors.psnr(),
-                       on_front(best, cell) ? short_name(cell.contestant) : ""};
+                       on_front(named, cell) ? short_name(cell.contestant) : ""};
   };
   for (const Cell* const cell : best) front.points.push_back({currency.of(*cell), (cell->*truth.errors).errors.psnr()});
   for (const Cell& cell : cells) {

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "testbench/stability/real.h"
 #include "tests/support/measured.h"
 #include "tests/support/random.h"
-#include "tests/support/real.h"
 #include "tests/support/reference_images.h"
 
 namespace feline::reference {

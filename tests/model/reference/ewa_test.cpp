@@ -8,9 +8,9 @@
 #include <numbers>
 
 #include "model/reference/ellipse.h"
+#include "testbench/stability/real.h"
 #include "tests/support/measured.h"
 #include "tests/support/random.h"
-#include "tests/support/real.h"
 #include "tests/support/reference_ewa.h"
 
 namespace feline::reference {

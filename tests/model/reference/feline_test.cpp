@@ -9,8 +9,9 @@
 #include <vector>
 
 #include "model/reference/approximate_axes.h"
+#include "testbench/stability/real.h"
 #include "tests/support/random.h"
-#include "tests/support/real.h"
+#include "tests/support/reference_ewa.h"
 #include "tests/support/reference_lines.h"
 
 namespace feline::reference {
@@ -172,6 +173,35 @@ TEST(reference_feline, weights_and_positions) {
 TEST(reference_feline, weights_by_hand) {
   EXPECT_NEAR(std::exp(-plan_feline(axes_of(8, 4), kExact, 20).falloff), 0.60653, 1e-5);
   EXPECT_NEAR(plan_feline(axes_of(6, 4), kExact, 20).falloff, 2 * 4.0 / 9, 1e-12);
+}
+
+// Each probe is every texel within its radius, weighted by exp(-2 d^2); on level 0 the squared radius is one more.
+TEST(reference_feline, line_of_circles) {
+  const SeedTrace trace(__FILE__, __LINE__);
+  Random random = random_for("reference_feline.line_of_circles");
+  const MipMap noise = box_map(noise_level(64, 64, random), kRepeated);
+  for (int i = 0; i < 50; ++i) {
+    const double u = random.real(0, 64);
+    const double v = random.real(0, 64);
+    const Lookup lookup =
+        lookup_at(noise.base(), u, v, random_gradients(random, random.real(4, 14), random.real(1, 2)));
+    const ProbeLine line = plan_feline(ellipse_axes(in_texels(lookup.gradients, noise.base())), kExact, 6);
+    const double radius = std::exp2(line.level_of_detail);
+    Colour sum{};
+    double weights = 0;
+    for (int n = 1 - line.probes; n < line.probes; n += 2) {
+      const double weight = std::exp(-line.falloff * n * n / 4);
+      add_weighted(sum, weight,
+                   brute_ewa(noise.base(), kRepeated, u + n * line.step.u / 2, v + n * line.step.v / 2,
+                             {{radius, 0}, {0, radius}}, 1)
+                       .mean());
+      weights += weight;
+    }
+    Cost cost;
+    const Colour got = feline_circles_filter(noise, kExact, lookup, cost);
+    for (std::size_t c = 0; c < 4; ++c) EXPECT_NEAR(got[c], sum[c] / weights, 1e-9);
+    EXPECT_EQ(cost.probes, line.probes);
+  }
 }
 
 // A wave along the line passes by the weighted sum of cosines; 1/8 of the squared phase a texel is lost by linear

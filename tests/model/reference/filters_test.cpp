@@ -26,7 +26,8 @@ namespace feline::reference {
 namespace {
 
 bool is_gaussian(const Filter& filter) { return filter.name.ends_with("_gaussian"); }
-bool is_ewa(const Filter& filter) { return filter.name.starts_with("ewa"); }
+// Reads every texel of an ellipse or circle.
+bool is_ewa(const Filter& filter) { return filter.name.starts_with("ewa") || filter.name.ends_with("_circles"); }
 
 TEST(reference_filters, have_names) {
   std::set<std::string> names;
