@@ -59,4 +59,12 @@ std::string contestant_names() {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
+std::string filter_names() {
+  std::vector<std::string_view> names;
+  for (const Contestant& contestant : contestants()) {
+    if (contestant.kind != Contestant::Kind::kUnit) names.push_back(contestant.name);
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
 }  // namespace feline

@@ -39,6 +39,7 @@ struct Contestant {
 std::span<const Contestant> contestants();
 const Contestant* find_contestant(std::string_view name);
 std::string contestant_names();  // "nearest, bilinear, ...", for help
+std::string filter_names();      // those that are not the unit
 
 // Cycles a pixel of the Verilated unit over one in 16 stripes of four rows, each beat compared with the model. Throws
 // std::runtime_error when they differ.

@@ -5,6 +5,8 @@
 
 #include "testbench/cosim/job.h"
 #include "testbench/error.h"
+#include "testbench/measure/contestant.h"
+#include "testbench/measure/detail.h"
 #include "testbench/program/command_line.h"
 #include "testbench/program/commands.h"
 #include "testbench/program/subject.h"
@@ -17,6 +19,7 @@ struct RenderOptions {
   SubjectOptions subject;
   SamplerChoice sampler;
   std::string engine = "model";
+  std::string filter;
   std::string output = "picture.png";
   bool map = false;
   bool json = false;
@@ -63,9 +66,68 @@ nlohmann::ordered_json to_json(const Picture& picture) {
   return json;
 }
 
+void tell_written(const RenderOptions& options, nlohmann::ordered_json json,
+                  const std::vector<std::filesystem::path>& written) {
+  if (options.json) {
+    constexpr std::array<const char*, 3> kKeys{"picture", "probe_map", "level_map"};
+    for (std::size_t i = 0; i < written.size(); ++i) json[kKeys[i]] = written[i].string();
+    fmt::print("{}\n", json.dump(1));
+    return;
+  }
+  for (const auto& path : written) fmt::print("{}\n", path.string());
+}
+
+// By a filter in floating point instead of the unit.
+int run_filter(const RenderOptions& options) {
+  const Contestant* const contestant = find_contestant(options.filter);
+  if (contestant == nullptr || contestant->kind == Contestant::Kind::kUnit) {
+    bad_input("command line", "--filter", options.filter, "one of " + filter_names());
+  }
+  options.sampler.check_filter();
+  if (options.subject.allow_non_finite) {
+    bad_input("command line", "--allow-non-finite", "given", "nothing together with --filter");
+  }
+  const SamplerOptions choice = options.sampler.one();
+  Subject subject = options.subject.load(mip_edge(choice));
+  reference::Wrapping wrapping{choice.wrap_s, choice.wrap_t, {}};
+  for (std::size_t c = 0; c < 4; ++c) wrapping.border[c] = static_cast<float>(choice.border[c]);
+  const Surface surface = make_surface(std::move(subject.texture), wrapping, mip_edge(choice));
+  const int width = subject.gbuffer.width;
+  const int height = subject.gbuffer.height;
+  const View view = options.subject.gbuffer.empty() ? make_view(find_scene(subject.name), surface, width, height)
+                                                    : make_view(subject.name, surface, std::move(subject.gbuffer));
+  Progress progress("rendering", view.gbuffer.lookups.size());
+  const Rendering rendering = contestant->render(view, &progress);
+  const std::filesystem::path path = options.output;
+  std::vector<std::filesystem::path> written{path};
+  OutputFiles outputs;
+  write_picture(outputs, path, rendering.picture, surface.texture.srgb);
+  if (options.map) {
+    if (rendering.probes.empty()) bad_input("command line", "--map", "given", "nothing with this filter");
+    written.push_back(beside(path, "probes"));
+    outputs.write(written.back(), probes_png(rendering.probes, width, {0, 0, std::max(width, height)}));
+  }
+  outputs.commit();
+  tell_written(options,
+               {{"width", width},
+                {"height", height},
+                {"probes", rendering.cost.probes},
+                {"texels", rendering.cost.texels},
+                {"cycles", rendering.cost.cycles},
+                {"nanoseconds_a_pixel", rendering.nanoseconds},
+                {"scene", view.name},
+                {"filter", contestant->name}},
+               written);
+  return kHolds;
+}
+
 int run_render(const RenderOptions& options) {
   const std::string extension = std::filesystem::path(options.output).extension().string();
   if (!extension.empty() && extension != ".png") bad_input(options.output, "--output", extension, "a .png file");
+  if (!options.filter.empty()) {
+    check_writable(options.output);
+    return run_filter(options);
+  }
   const bool rtl = parse_name("--engine", options.engine, kEngineNames) == 1;
   check_writable(options.output);
   const SamplerOptions choice = options.sampler.one();
@@ -76,27 +138,20 @@ int run_render(const RenderOptions& options) {
                               : render_model(subject.gbuffer, sampler, subject.memory);
   if (!holds) return kBroken;
   const std::filesystem::path path = options.output;
-  const std::filesystem::path probe_map = beside(path, "probes");
-  const std::filesystem::path level_map = beside(path, "levels");
+  std::vector<std::filesystem::path> written{path};
   OutputFiles outputs;
   write_picture(outputs, path, picture);
   if (options.map) {
-    write_probe_map(outputs, probe_map, picture);
-    write_level_map(outputs, level_map, picture, static_cast<int>(sampler.last_level.raw()));
+    written.insert(written.end(), {beside(path, "probes"), beside(path, "levels")});
+    write_probe_map(outputs, written[1], picture);
+    write_level_map(outputs, written[2], picture, static_cast<int>(sampler.last_level.raw()));
   }
   outputs.commit();
-  if (options.json) {
-    auto json = to_json(picture);
-    json["scene"] = subject.name;
-    json["mode"] = kModeNames[static_cast<std::size_t>(choice.mode)];
-    json["engine"] = options.engine;
-    json["picture"] = path.string();
-    if (options.map) json.update({{"probe_map", probe_map.string()}, {"level_map", level_map.string()}});
-    fmt::print("{}\n", json.dump(1));
-    return kHolds;
-  }
-  fmt::print("{}\n", path.string());
-  if (options.map) fmt::print("{}\n{}\n", probe_map.string(), level_map.string());
+  auto json = to_json(picture);
+  json["scene"] = subject.name;
+  json["mode"] = kModeNames[static_cast<std::size_t>(choice.mode)];
+  json["engine"] = options.engine;
+  tell_written(options, std::move(json), written);
   return kHolds;
 }
 
@@ -115,7 +170,9 @@ void add_render(CLI::App& program, int& exit_code, const std::vector<std::string
   command->footer("Example: feline render --scene window --mode table --size 512 --output window.png --map");
   options->subject.add_to(*command, true);
   options->sampler.add_to(*command, false);
-  command->add_option("--engine", options->engine, "model or rtl")->capture_default_str();
+  auto* const engine = command->add_option("--engine", options->engine, "model or rtl")->capture_default_str();
+  command->add_option("--filter", options->filter, "in floating point, instead of the unit: " + filter_names())
+      ->excludes(engine);
   command->add_option("--output", options->output, "PNG to write")->capture_default_str();
   command->add_flag("--map", options->map, "write maps of probes and levels beside it");
   command->add_flag("--json", options->json, "tell what was written, and figures, as JSON");

@@ -138,8 +138,7 @@ void SamplerChoice::add_to(CLI::App& command, bool lists) {
   wrap_ = add("--wrap", wraps, kWrapNames);
   using F = Formats<kDefaultConfig>;
   constexpr double kFactorStep = F::kFactor.value(1);
-  others_ = {
-      command.add_option("--wrap-t", wrap_t, "another wrap mode along t"),
+  of_unit_ = {
       command.add_option("--magnify", magnify, "nearest or linear; nearest is the default of mode nearest only"),
       command.add_option("--parameters", parameters, "exact, high_quality or high_efficiency (Feline 3.4)")
           ->capture_default_str(),
@@ -160,11 +159,13 @@ void SamplerChoice::add_to(CLI::App& command, bool lists) {
       command.add_option("--min-level", min_level, "the finest level")
           ->check(number(0, kMaxLevel))
           ->capture_default_str(),
-      command.add_option("--max-level", max_level, "the coarsest level")->check(number(0, kMaxLevel)),
-      command.add_option("--border", border, "border colour R,G,B,A, linear")
-          ->delimiter(',')
-          ->expected(4)
-          ->check(number(0, 1))};
+      command.add_option("--max-level", max_level, "the coarsest level")->check(number(0, kMaxLevel))};
+  others_ = {command.add_option("--wrap-t", wrap_t, "another wrap mode along t"),
+             command.add_option("--border", border, "border colour R,G,B,A, linear")
+                 ->delimiter(',')
+                 ->expected(4)
+                 ->check(number(0, 1))};
+  others_.insert(others_.end(), of_unit_.begin(), of_unit_.end());
 }
 
 std::vector<SamplerOptions> SamplerChoice::combinations() const {
@@ -209,6 +210,11 @@ std::vector<SamplerOptions> SamplerChoice::combinations() const {
     }
   }
   return all;
+}
+
+void SamplerChoice::check_filter() const {
+  refuse_given(std::array{mode_, kernel_}, "together with --filter");
+  refuse_given(of_unit_, "together with --filter");
 }
 
 RandomBatches::Choices SamplerChoice::random_choices() const {

@@ -80,6 +80,8 @@ struct SamplerChoice {
   // Every combination asked for, in the order mode, kernel, wrap.
   std::vector<SamplerOptions> combinations() const;
   SamplerOptions one() const { return combinations().front(); }
+  // A filter in floating point knows wraps and the border only. Throws InputError when anything else was chosen.
+  void check_filter() const;
   // For random samplers: of modes, kernels and wraps what was asked for, and of what was not, everything. Throws
   // InputError when anything else was chosen.
   RandomBatches::Choices random_choices() const;
@@ -93,6 +95,7 @@ struct SamplerChoice {
   const CLI::Option* kernel_ = nullptr;
   const CLI::Option* wrap_ = nullptr;
   std::vector<const CLI::Option*> others_;
+  std::vector<const CLI::Option*> of_unit_;  // those of others_ that only the unit has
 };
 
 // Mip levels of a texture that repeats have no seam.
