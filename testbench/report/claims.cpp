@@ -58,7 +58,10 @@ Claim fewer_probes(const Survey& survey) {
   const double fewer = 1 - high_quality / exact;
   claim.measured.push_back(fmt::format("together: {:.1f} % fewer", 100 * fewer));
   judge(claim, std::abs(fewer - 0.24) <= 0.04);
-  claim.reason = "The share depends on how many pixels have a ratio just above 1, where there is nothing to save.";
+  claim.reason =
+      "The saving grows with the ratio of the radii, from nothing at 1 to 28 % (0.9625 over 1.15625 times 1.1532), so "
+      "that "
+      "it depends on the view; a texel's clamp takes its part.";
   return claim;
 }
 
@@ -83,18 +86,38 @@ Claim as_texram(const Survey& survey) {
   return claim;
 }
 
+// Says of every exhibit how many decibels the second filter is ahead of the first.
+void compare_filters(Claim& claim, const Survey& survey, std::span<const std::string_view> exhibits,
+                     std::string_view first, std::string_view second, const std::function<bool(double)>& holds) {
+  for_pairs(survey, exhibits, first, second, [&](const ExhibitResult& result, const Cell& a, const Cell& b) {
+    claim.measured.push_back(fmt::format("{}: {:+.2f} dB (Gaussian), {:+.2f} dB (box); {:.2f} and {:.2f} probes",
+                                         result.plan.name, psnr(b) - psnr(a), box_psnr(b) - box_psnr(a), a.cost.probes,
+                                         b.cost.probes));
+    judge(claim, holds(psnr(b) - psnr(a)));
+  });
+}
+
 Claim better_than_texram(const Survey& survey) {
   Claim claim{"high efficiency is better than Texram",
               "With as many probes, high-efficiency Feline has the lower error.", "WRL 99/1, 4"};
-  for_pairs(survey, kOrdinary, "texram", "feline_simple_high_efficiency",
-            [&](const ExhibitResult& result, const Cell& a, const Cell& b) {
-              claim.measured.push_back(fmt::format("{}: {:+.2f} dB (Gaussian), {:+.2f} dB (box)", result.plan.name,
-                                                   psnr(b) - psnr(a), box_psnr(b) - box_psnr(a)));
-              judge(claim, psnr(b) > psnr(a));
-            });
+  compare_filters(claim, survey, kOrdinary, "texram", "feline_simple_high_efficiency",
+                  [](double ahead) { return ahead > 0; });
   claim.reason =
-      "Against a box Texram wins: its equal weights on a short line are nearly one pixel wide, and the Gaussian that "
-      "Feline aims at is blurrier than a box.";
+      "Where a pixel holds little detail, as in text, both are as good; Texram errs by aliasing, high efficiency by "
+      "blurring to half the probes. Against a box Texram wins: its equal weights on a line as long as the gradient are "
+      "a box, while the Gaussian that Feline aims at is blurrier.";
+  return claim;
+}
+
+Claim gaussian_probes(const Survey& survey) {
+  Claim claim{"Gaussian probes are better than bilinear ones",
+              "Changing the probe to a Gaussian truncated to 2 x 2 makes slightly better images.", "WRL 99/1, 3.4"};
+  compare_filters(claim, survey, kOrdinary, "feline_simple_high_quality", "feline_simple_high_quality_gaussian",
+                  [](double ahead) { return ahead > 0; });
+  claim.reason =
+      "The Gaussian of radius sqrt(2) is wider than the bilinear tent, and on top of mip levels that are filtered "
+      "already it blurs by more than the pixel's own filter does. It removes aliasing, which a decibel does not single "
+      "out: look at the pictures.";
   return claim;
 }
 
@@ -102,13 +125,7 @@ Claim table_on_extreme(const Survey& survey) {
   Claim claim{"Table beats Simple on extreme projections",
               "On highly distorted projections Table Feline is much sharper than Simple: at least 3 dB.",
               "WRL 99/1, 4, figures 31 and 32"};
-  for_pairs(survey, kExtreme, "feline_simple", "feline_table",
-            [&](const ExhibitResult& result, const Cell& a, const Cell& b) {
-              claim.measured.push_back(
-                  fmt::format("{}: {:+.2f} dB (Gaussian), {:+.2f} dB (box); {:.2f} and {:.2f} probes", result.plan.name,
-                              psnr(b) - psnr(a), box_psnr(b) - box_psnr(a), a.cost.probes, b.cost.probes));
-              judge(claim, psnr(b) - psnr(a) >= 3);
-            });
+  compare_filters(claim, survey, kExtreme, "feline_simple", "feline_table", [](double ahead) { return ahead >= 3; });
   return claim;
 }
 
@@ -116,23 +133,33 @@ Claim table_on_ordinary(const Survey& survey) {
   Claim claim{"Table equals Simple on ordinary perspective",
               "Under modest perspective Simple and Table have equivalent visual quality: within 0.3 dB.",
               "WRL 99/1, 4"};
-  for_pairs(survey, kOrdinary, "feline_simple", "feline_table",
-            [&](const ExhibitResult& result, const Cell& a, const Cell& b) {
-              claim.measured.push_back(fmt::format("{}: {:+.2f} dB (Gaussian), {:+.2f} dB (box)", result.plan.name,
-                                                   psnr(b) - psnr(a), box_psnr(b) - box_psnr(a)));
-              judge(claim, std::abs(psnr(b) - psnr(a)) <= 0.3);
-            });
+  compare_filters(claim, survey, kOrdinary, "feline_simple", "feline_table",
+                  [](double ahead) { return std::abs(ahead) <= 0.3; });
+  claim.reason =
+      "A turned texture's gradients lean by up to 30 degrees, where Simple takes the minor radius for too wide by a "
+      "few "
+      "per cent. That is worth up to 0.6 dB, of an error of a fraction of an 8-bit code, which nobody sees.";
   return claim;
 }
 
 Claim as_ewa(const Survey& survey) {
-  Claim claim{"Feline is comparable to EWA", "High-quality Feline makes images comparable to EWA: within 1 dB.",
-              "WRL 99/1, 4"};
-  for_pairs(survey, kOrdinary, "ewa", "feline_table", [&](const ExhibitResult& result, const Cell& a, const Cell& b) {
-    claim.measured.push_back(fmt::format("{}: {:.1f} behind {:.1f} dB (Gaussian), {:.1f} behind {:.1f} dB (box)",
-                                         result.plan.name, psnr(b), psnr(a), box_psnr(b), box_psnr(a)));
+  Claim claim{"Feline is comparable to EWA",
+              "Feline makes images comparable to EWA, the best efficient software filter: within 1 dB.",
+              "WRL 99/1, abstract and 4"};
+  for_pairs(survey, kOrdinary, "ewa", "feline_ideal", [&](const ExhibitResult& result, const Cell& a, const Cell& b) {
+    const Cell* const circles = find_cell(result, "feline_ideal_circles");
+    claim.measured.push_back(
+        fmt::format("{}: Feline {:.1f} dB, EWA {:.1f}{} (Gaussian); {:.1f}, {:.1f}{} (box)", result.plan.name, psnr(b),
+                    psnr(a), circles ? fmt::format(", Feline with circles of texels {:.1f}", psnr(*circles)) : "",
+                    box_psnr(b), box_psnr(a), circles ? fmt::format(", {:.1f}", box_psnr(*circles)) : ""));
     judge(claim, psnr(b) >= psnr(a) - 1);
   });
+  claim.reason =
+      "The probe is why, not the line: with circles of texels, weighted as EWA weighs them, on the very same line "
+      "(feline_ideal_circles) Feline comes close to EWA. A 2 x 2 probe between two mip levels is a pyramid of up to "
+      "four "
+      "texels' width that moves with the texel grid. Both errors are far below an 8-bit code's on most scenes, and "
+      "against the box truth the two are alike.";
   return claim;
 }
 
@@ -160,8 +187,8 @@ Claim unit_as_double(const Survey& survey) {
 }  // namespace
 
 std::vector<Claim> judge_claims(const Survey& survey) {
-  return {unit_as_double(survey),   fewer_probes(survey),      as_texram(survey), better_than_texram(survey),
-          table_on_extreme(survey), table_on_ordinary(survey), as_ewa(survey)};
+  return {unit_as_double(survey),  fewer_probes(survey),     as_texram(survey),         better_than_texram(survey),
+          gaussian_probes(survey), table_on_extreme(survey), table_on_ordinary(survey), as_ewa(survey)};
 }
 
 }  // namespace feline

@@ -73,6 +73,19 @@ std::string claims_section(const std::vector<Claim>& claims) {
     if (claim.verdict == Verdict::kContradicted && !claim.reason.empty()) details += page::paragraph(claim.reason);
     html += page::fold(claim.name, details);
   }
+  html += page::paragraph("Contradicted elsewhere, where no scene is needed (tests/model/reference):");
+  html += page::bullets(std::array<std::string, 4>{
+      "WRL 99/1, 2.3: Texram's line is shorter than the ellipse by nearly a factor of four. The limit is 2 sqrt(2) = "
+      "2.83: "
+      "the major radius is at most sqrt(|x|^2 + |y|^2) (texram_test).",
+      "Olano 2001, table 2, Max: taken for each coordinate, as printed, gradients (a, 0), (0, b) collapse to (a, b), "
+      "(0, 0). "
+      "Here the longer and the shorter gradient are meant (vertex_based_test).",
+      "Olano 2001, section 3: the square pattern is best. With exact axes at each pixel the staggered one is, and the "
+      "line is better than the square; their judgement is of interpolated axes in motion (quality_test).",
+      "WRL 99/1, figures 33 and 34: Simple takes two to four probes, Table up to 16. It depends on the scene: feline "
+      "figure "
+      "feline_33_34 shows two (figure_test)."});
   return html;
 }
 
