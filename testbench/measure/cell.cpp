@@ -81,7 +81,7 @@ Cell measure_cell(const Contestant& contestant, const Exhibit& exhibit, const st
                                     exhibit.srgb(), exhibit.channels());
   cell.detail_png = page::base64(detail_png(picture, focus.detail, exhibit.srgb(), exhibit.channels()));
   cell.difference_png = page::base64(detail_png(difference(picture, truth, kDifferenceGain), focus.detail, false, 3));
-  if (!renderings.front().probes.empty()) {
+  if (std::ranges::any_of(renderings.front().probes, [](float probes) { return probes > 1; })) {
     cell.probes_png = page::base64(probes_png(renderings.front().probes, picture.width, focus.detail));
   }
   return cell;

@@ -29,7 +29,7 @@ struct Cell {
   reference::Cost cost;
   std::optional<double> rtl_cycles;
   // Of the exhibit's detail, PNG in base64: the picture, its difference from the Gaussian truth, the probes a pixel
-  // (empty where they cannot be told).
+  // (empty where there is never more than one, or they cannot be told).
   std::string detail_png;
   std::string difference_png;
   std::string probes_png;

@@ -37,7 +37,7 @@ std::string introduction(const Survey& survey) {
       "Nanoseconds: processor time of one thread. The unit's are those of its C++ model, and say nothing of hardware.",
       "Cycles and texels: of hardware that reads eight texels a cycle, a probe each (Feline, section 4), before any "
       "cache. "
-      "EWA's cycles are the optimistic count.",
+      "EWA's are those of its realistic stamp; report.json has the optimistic count, too.",
       "RTL cycles: measured on the Verilated unit with its small blocking cache behind 20 cycles of latency, on one in "
       "16 stripes of four rows, every beat compared with the model.",
       "Green figures lie on a Pareto front: nothing is both cheaper and nearer to one of the truths."});

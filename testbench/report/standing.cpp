@@ -19,7 +19,7 @@ const std::array<Currency, 3> kCurrencies{
     {{"nanoseconds", "nanoseconds a pixel, one thread of this machine",
       [](const Cell& cell) { return cell.nanoseconds; },
       [](const Contestant& contestant) { return contestant.kind != Contestant::Kind::kUnit; }},
-     {"cycles", "cycles a pixel, eight texels each", [](const Cell& cell) { return cell.cost.cycles; },
+     {"cycles", "cycles a pixel, eight texels each", [](const Cell& cell) { return cell.cost.stamp_cycles; },
       [](const Contestant& contestant) { return contestant.kind != Contestant::Kind::kLibrary; }},
      {"texels", "texels a pixel", [](const Cell& cell) { return cell.cost.texels; },
       [](const Contestant& contestant) { return contestant.kind != Contestant::Kind::kLibrary; }}}};

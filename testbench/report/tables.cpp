@@ -58,6 +58,8 @@ page::Table standing_table(const std::vector<Cell>& cells) {
       {"filter"},       {"PSNR, Gaussian", true}, {"PSNR, box", true},      {"RMSE x 1000, Gaussian", true},
       {"worst", true},  {"seen, %", true},        {"shimmer x 1000", true}, {"ns", true},
       {"cycles", true}, {"texels", true},         {"probes", true},         {"RTL cycles", true}};
+  const bool moves = std::ranges::any_of(cells, [](const Cell& cell) { return cell.gaussian.shimmer.has_value(); });
+  if (moves) table.columns.push_back({"shimmer x 1000", true});
   std::array<std::array<std::vector<const Cell*>, 2>, 3> fronts;
   for (std::size_t i = 0; i < kCurrencies.size(); ++i) {
     for (std::size_t j = 0; j < kTruthKinds.size(); ++j) {
@@ -75,10 +77,11 @@ page::Table standing_table(const std::vector<Cell>& cells) {
         {plain(cell->contestant), plain(decibels(cell->gaussian.errors.psnr())),
          plain(decibels(cell->box.errors.psnr())), plain(fmt::format("{:.2f}", 1000 * cell->gaussian.errors.rmse())),
          plain(fmt::format("{:.3f}", cell->gaussian.errors.worst)), plain(fmt::format("{:.2f}", 100 * cell->visible)),
-         plain(cell->gaussian.shimmer ? fmt::format("{:.2f}", 1000 * std::sqrt(*cell->gaussian.shimmer)) : ""),
          cost(*cell, kCurrencies[0], "{:.0f}", fronts[0]), cost(*cell, kCurrencies[1], "{:.2f}", fronts[1]),
          cost(*cell, kCurrencies[2], "{:.1f}", fronts[2]), plain(known ? fmt::format("{:.2f}", cell->cost.probes) : ""),
          plain(cell->rtl_cycles ? fmt::format("{:.1f}", *cell->rtl_cycles) : "")});
+    if (moves)
+      table.rows.back().push_back(plain(fmt::format("{:.2f}", 1000 * std::sqrt(cell->gaussian.shimmer.value_or(0)))));
   }
   return table;
 }
