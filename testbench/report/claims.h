@@ -23,7 +23,9 @@ struct Claim {
 
 std::vector<Claim> judge_claims(const Survey& survey);
 
-// How far the 8-bit unit falls behind Table Feline in double, decibels against the Gaussian truth.
+// How far the 8-bit unit falls behind Table Feline in double, decibels against the Gaussian truth. Judged where a
+// picture's sides are at least kLeastJudgedSide pixels: of less there is too little to see a quarter of a decibel in.
 inline constexpr double kUnitBound = 0.25;
+inline constexpr int kLeastJudgedSide = 256;
 
 }  // namespace feline

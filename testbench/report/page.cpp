@@ -67,7 +67,7 @@ std::string claims_section(const std::vector<Claim>& claims) {
   }
   html += page::table(table);
   for (const Claim& claim : claims) {
-    if (claim.verdict == Verdict::kNotMeasured) continue;
+    if (claim.measured.empty()) continue;
     std::string details = page::paragraph(claim.statement);
     details += page::bullets(claim.measured);
     if (claim.verdict == Verdict::kContradicted && !claim.reason.empty()) details += page::paragraph(claim.reason);
