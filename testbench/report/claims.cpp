@@ -164,8 +164,8 @@ Claim unit_as_double(const Survey& survey) {
   Claim claim{
       "8 bits suffice",
       fmt::format("The 8-bit unit is within {} dB of Table Feline in double precision, against the Gaussian truth, "
-                  "on every scene.",
-                  kUnitBound),
+                  "on every scene whose picture has at least {} pixels a side.",
+                  kUnitBound, kLeastJudgedSide),
       "this project; WRL 99/1, 3.2: \"These errors are negligible\""};
   claim.ours = true;
   for (const std::string_view suffix : {"", "_gaussian"}) {
