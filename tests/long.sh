@@ -15,8 +15,8 @@ if [[ $regex != . ]]; then
   exit
 fi
 
-step "every scene, mode, kernel and wrap at 256 x 256"
-build/feline cosim --scene all --mode all --kernel all --wrap all --size 256 --stalls 0.1 --memory-latency 10 \
+step "every scene, mode, kernel and wrap at 192 x 192"
+build/feline cosim --scene all --mode all --kernel all --wrap all --size 192 --stalls 0.1 --memory-latency 10 \
   --no-wave | tail -n 1
 
 step "10 million random and directed lookups"
