@@ -99,7 +99,7 @@ std::string unit_section(const Survey& survey) {
       std::vector<page::Cell> row{
           {result.plan.name}, {split.kernel}, rmse(split.feline), rmse(split.table), rmse(split.arithmetic)};
       if (unit != nullptr && real != nullptr) {
-        const double apart = unit->gaussian.errors.psnr() - real->gaussian.errors.psnr();
+        const double apart = psnr_ahead(unit->gaussian, real->gaussian);
         row.push_back({fmt::format("{:+.3f}", apart), apart >= -kUnitBound ? page::Tone::kGood : page::Tone::kBad});
         row.push_back({fmt::format("{:.3f}", unit->gaussian.errors.worst)});
         row.push_back({fmt::format("{}, {}", unit->gaussian.errors.worst_column, unit->gaussian.errors.worst_row)});
@@ -148,12 +148,16 @@ std::string exhibit_section(const ExhibitResult& result) {
       fmt::format("{}; {} x {} pixels{}.", result.plan.description, result.plan.width, result.plan.height,
                   result.plan.frame_count > 1 ? fmt::format(", {} frames", result.plan.frame_count) : std::string()));
   if (!result.truth) return html + page::paragraph("Not measured within the budget.");
-  html += page::paragraph(fmt::format(
+  std::string truth = fmt::format(
       "Truth: {} samples a pixel, pi times as many for the Gaussian, projected {}; its own standard error is {:.2g} "
-      "(Gaussian) and {:.2g} (box) of full, so that a PSNR above {:.0f} and {:.0f} dB says nothing.",
+      "(Gaussian) and {:.2g} (box) of full",
       result.truth->samples, result.plan.perspective ? "exactly" : "affinely, as a G-buffer knows no more",
-      result.truth->gaussian_error, result.truth->box_error, -20 * std::log10(result.truth->gaussian_error),
-      -20 * std::log10(result.truth->box_error)));
+      result.truth->gaussian_error, result.truth->box_error);
+  if (result.truth->gaussian_error > 0 && result.truth->box_error > 0) {
+    truth += fmt::format(", so that a PSNR above {:.0f} and {:.0f} dB says nothing",
+                         -20 * std::log10(result.truth->gaussian_error), -20 * std::log10(result.truth->box_error));
+  }
+  html += page::paragraph(truth + ".");
   html += page::gallery(standing_plots(result.plan.name, result.cells));
   html += page::table(standing_table(result.cells));
   html += page::fold("The whole picture",

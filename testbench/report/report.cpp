@@ -85,6 +85,14 @@ nlohmann::ordered_json to_json(const Claim& claim) {
 
 std::string number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
 
+// RFC 4180: a user's own file may be called anything.
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string field = "\"";
+  for (const char c : text) field += c == '"' ? "\"\"" : std::string(1, c);
+  return field + "\"";
+}
+
 std::string to_csv(const Survey& survey) {
   std::string csv =
       "scene,filter,rmse_gaussian,psnr_gaussian,worst_gaussian,rmse_box,psnr_box,worst_box,seen,shimmer_gaussian,"
@@ -101,7 +109,7 @@ std::string to_csv(const Survey& survey) {
         }
       }
       csv += fmt::format(
-          "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", result.plan.name, cell.contestant,
+          "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(result.plan.name), cell.contestant,
           number(cell.gaussian.errors.rmse()), number(cell.gaussian.errors.psnr()), number(cell.gaussian.errors.worst),
           number(cell.box.errors.rmse()), number(cell.box.errors.psnr()), number(cell.box.errors.worst),
           number(cell.visible), cell.gaussian.shimmer ? number(std::sqrt(*cell.gaussian.shimmer)) : "",
