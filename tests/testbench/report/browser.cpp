@@ -53,7 +53,8 @@ std::vector<Visit::Box> boxes_of(const nlohmann::json& json) {
 // Chromium asks for updates of its own, which no page initiated; files are not in the log.
 std::vector<std::string> requests_of(const std::string& log) {
   std::vector<std::string> urls;
-  for (const auto& event : nlohmann::json::parse(log).at("events")) {
+  const auto json = nlohmann::json::parse(log);
+  for (const auto& event : json.at("events")) {
     const auto parameters = event.find("params");
     if (parameters == event.end() || !parameters->contains("initiator")) continue;
     if (parameters->at("initiator") != "not an origin") urls.push_back(parameters->at("url"));
