@@ -4,9 +4,13 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source testbench/build.sh
+source tests/packages.sh
 regex=${1:-.}
 
 step() { printf '\n== %s (%d s)\n' "$1" "$SECONDS"; }
+
+step "packages of the long tests"
+feline_install_long_tests
 
 step "long tests"
 ctest --test-dir build --output-on-failure --no-tests=ignore -j 2 -L long -R "$regex"

@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 source testbench/build.sh
 source tests/packages.sh
-feline_install_tests
+feline_install_long_tests
 feline_build build-sanitize RelWithDebInfo all -DFELINE_SANITIZE=ON "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -g1 -DNDEBUG"
 export UBSAN_OPTIONS=print_stacktrace=1 LSAN_OPTIONS=print_suppressions=0
 ctest --test-dir build-sanitize --output-on-failure --no-tests=error -j 2 -R "${1:-.}"

@@ -4,7 +4,8 @@
 include(GoogleTest)
 
 function(feline_tests room)
-  file(GLOB sources CONFIGURE_DEPENDS tests/${room}/*_test.cpp tests/${room}/reference/*_test.cpp)
+  # A room's folders mirror the source's; what is no test there supports those that are.
+  file(GLOB sources CONFIGURE_DEPENDS tests/${room}/*_test.cpp tests/${room}/*/*.cpp)
   add_executable(${room}_test ${sources} ${TESTS_SUPPORT})
   target_compile_options(${room}_test PRIVATE ${FELINE_WARNINGS} -O1)
   target_compile_definitions(${room}_test PRIVATE FELINE_SOURCE_DIR="${CMAKE_SOURCE_DIR}"

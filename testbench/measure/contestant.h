@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -41,8 +42,14 @@ const Contestant* find_contestant(std::string_view name);
 std::string contestant_names();  // "nearest, bilinear, ...", for help
 std::string filter_names();      // those that are not the unit
 
-// Cycles a pixel of the Verilated unit over one in 16 stripes of four rows, each beat compared with the model. Throws
-// std::runtime_error when they differ.
+class RtlMismatch : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// Cycles a pixel of the Verilated unit over one row in 16, spread over the whole height, the row before it having
+// filled the cache; each beat compared with the model. Throws RtlMismatch when they differ. The probes' kernel changes
+// nothing.
 double measure_rtl_cycles(const View& view, const SamplerOptions& options);
 
 }  // namespace feline

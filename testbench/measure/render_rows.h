@@ -25,6 +25,8 @@ Rendering render_rows(const View& view, Progress* progress, PixelOf pixel) {
   Rendering rendering{{view.gbuffer.width, view.gbuffer.height, {}}, {}, {}, 0};
   rendering.picture.pixels.resize(view.gbuffer.lookups.size());
   rendering.probes.resize(view.gbuffer.lookups.size());
+  // Tables that are made on first use are no pixel's time.
+  if (reference::Cost ignored; !view.gbuffer.lookups.empty()) pixel(std::size_t{0}, ignored);
   std::mutex mutex;
   std::int64_t nanoseconds = 0;
   OIIO::parallel_for(0, view.gbuffer.height, [&](std::int64_t row) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 
 #include "testbench/measure/truth_store.h"
 #include "testbench/page/html.h"
@@ -118,8 +119,12 @@ class Work {
       facts.gaussian_error = std::max(facts.gaussian_error, frame.gaussian_error);
       facts.box_error = std::max(facts.box_error, frame.box_error);
     }
+    // Those are means over three channels, of which the texture may leave some empty.
+    const double share = std::sqrt(3.0 / std::min(exhibit().channels(), 3));
+    facts.gaussian_error *= share;
+    facts.box_error *= share;
     facts.samples = first.samples;
-    facts.focus = {find_detail(trilinear, first.gaussian, kDetailSize),
+    facts.focus = {find_detail(trilinear, first.gaussian, std::min(kDetailSize, std::max(plan_.width, plan_.height))),
                    find_detail(trilinear, first.gaussian, std::max(std::max(plan_.width, plan_.height) / 2, 1))};
     const bool srgb = exhibit().srgb();
     const int channels = exhibit().channels();

@@ -3,10 +3,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "testbench/error.h"
 #include "testbench/image.h"
 #include "testbench/measure/survey.h"
+#include "testbench/page/gnuplot.h"
 #include "testbench/program/command_line.h"
 #include "testbench/program/commands.h"
 #include "testbench/program/subject.h"
@@ -86,6 +88,7 @@ int run_report(const ReportOptions& options) {
   if (error) bad_input(options.output, "--output", error.message(), "a directory, or where one can be made");
   const Cache cache(options.cache.empty() ? directory / "cache" : std::filesystem::path(options.cache));
   for (const char* const name : {"report.html", "report.json", "report.csv"}) check_writable(directory / name);
+  page::check_gnuplot();
   const Survey survey = run_survey(survey_options, cache);
   const Report report = make_report(survey);
   OutputFiles outputs;
@@ -128,7 +131,9 @@ void add_report(CLI::App& program, int& exit_code) {
                       "directory of what is known already, so that a report goes on where it was stopped; cache in "
                       "--output by default");
   command->add_option("--budget", options->budget, "seconds after which nothing new is begun")->check(number(0, 1e9));
-  command->add_option("--seed", options->seed, "of the ground truth's samples")->capture_default_str();
+  command->add_option("--seed", options->seed, "of the ground truth's samples")
+      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
+      ->capture_default_str();
   command->add_flag("--json", options->json, "print report.json");
   command->callback([options, &exit_code] { exit_code = run_report(*options); });
 }

@@ -39,7 +39,7 @@ std::string introduction(const Survey& survey) {
       "cache. "
       "EWA's are those of its realistic stamp; report.json has the optimistic count, too.",
       "RTL cycles: measured on the Verilated unit with its small blocking cache behind 20 cycles of latency, on one in "
-      "16 stripes of four rows, every beat compared with the model.",
+      "16 rows, every beat compared with the model.",
       "Green figures lie on a Pareto front: nothing is both cheaper and nearer to one of the truths."});
   if (survey.missing != 0) {
     html += page::paragraph(fmt::format(
@@ -60,10 +60,7 @@ std::string claims_section(const std::vector<Claim>& claims) {
   page::Table table;
   table.columns = {{"claim"}, {"verdict"}, {"source"}};
   for (const Claim& claim : claims) {
-    const char* const verdict = claim.verdict == Verdict::kHolds          ? "holds"
-                                : claim.verdict == Verdict::kContradicted ? "contradicted"
-                                                                          : "not measured";
-    table.rows.push_back({{claim.name}, {verdict, tone_of(claim.verdict)}, {claim.source}});
+    table.rows.push_back({{claim.name}, {verdict_text(claim), tone_of(claim.verdict)}, {claim.source}});
   }
   html += page::table(table);
   for (const Claim& claim : claims) {
@@ -112,8 +109,11 @@ std::string unit_section(const Survey& survey) {
       std::vector<page::Cell> row{
           {result.plan.name}, {split.kernel}, rmse(split.feline), rmse(split.table), rmse(split.arithmetic)};
       if (unit != nullptr && real != nullptr) {
-        const double apart = unit->gaussian.errors.psnr() - real->gaussian.errors.psnr();
-        row.push_back({fmt::format("{:+.3f}", apart), apart >= -kUnitBound ? page::Tone::kGood : page::Tone::kBad});
+        const double apart = psnr_ahead(unit->gaussian, real->gaussian);
+        const UnitVerdict verdict = judge_unit(result.plan, *real, *unit);
+        row.push_back({fmt::format("{:+.3f}", apart), verdict == UnitVerdict::kHolds    ? page::Tone::kGood
+                                                      : verdict == UnitVerdict::kBroken ? page::Tone::kBad
+                                                                                        : page::Tone::kPlain});
         row.push_back({fmt::format("{:.3f}", unit->gaussian.errors.worst)});
         row.push_back({fmt::format("{}, {}", unit->gaussian.errors.worst_column, unit->gaussian.errors.worst_row)});
       } else {
@@ -161,12 +161,16 @@ std::string exhibit_section(const ExhibitResult& result) {
       fmt::format("{}; {} x {} pixels{}.", result.plan.description, result.plan.width, result.plan.height,
                   result.plan.frame_count > 1 ? fmt::format(", {} frames", result.plan.frame_count) : std::string()));
   if (!result.truth) return html + page::paragraph("Not measured within the budget.");
-  html += page::paragraph(fmt::format(
+  std::string truth = fmt::format(
       "Truth: {} samples a pixel, pi times as many for the Gaussian, projected {}; its own standard error is {:.2g} "
-      "(Gaussian) and {:.2g} (box) of full, so that a PSNR above {:.0f} and {:.0f} dB says nothing.",
+      "(Gaussian) and {:.2g} (box) of full",
       result.truth->samples, result.plan.perspective ? "exactly" : "affinely, as a G-buffer knows no more",
-      result.truth->gaussian_error, result.truth->box_error, -20 * std::log10(result.truth->gaussian_error),
-      -20 * std::log10(result.truth->box_error)));
+      result.truth->gaussian_error, result.truth->box_error);
+  if (result.truth->gaussian_error > 0 && result.truth->box_error > 0) {
+    truth += fmt::format(", so that a PSNR above {:.0f} and {:.0f} dB says nothing",
+                         -20 * std::log10(result.truth->gaussian_error), -20 * std::log10(result.truth->box_error));
+  }
+  html += page::paragraph(truth + ".");
   html += page::gallery(standing_plots(result.plan.name, result.cells));
   html += page::table(standing_table(result.cells));
   html += page::fold("The whole picture",

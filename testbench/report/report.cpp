@@ -13,15 +13,6 @@
 namespace feline {
 namespace {
 
-std::string_view verdict_name(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kHolds: return "holds";
-    case Verdict::kContradicted: return "contradicted";
-    case Verdict::kNotMeasured: return "not measured";
-  }
-  return "";
-}
-
 // Infinity has no JSON: a picture without error has no psnr.
 nlohmann::ordered_json to_json(const CellErrors& errors) {
   nlohmann::ordered_json json{{"rmse", errors.errors.rmse()},
@@ -77,13 +68,21 @@ nlohmann::ordered_json to_json(const Claim& claim) {
   nlohmann::ordered_json json{{"claim", claim.name},
                               {"statement", claim.statement},
                               {"source", claim.source},
-                              {"verdict", verdict_name(claim.verdict)},
+                              {"verdict", verdict_text(claim)},
                               {"measured", claim.measured}};
   if (claim.verdict == Verdict::kContradicted) json["reason"] = claim.reason;
   return json;
 }
 
 std::string number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
+
+// RFC 4180: a user's own file may be called anything.
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string field = "\"";
+  for (const char c : text) field += c == '"' ? "\"\"" : std::string(1, c);
+  return field + "\"";
+}
 
 std::string to_csv(const Survey& survey) {
   std::string csv =
@@ -101,7 +100,7 @@ std::string to_csv(const Survey& survey) {
         }
       }
       csv += fmt::format(
-          "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", result.plan.name, cell.contestant,
+          "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(result.plan.name), cell.contestant,
           number(cell.gaussian.errors.rmse()), number(cell.gaussian.errors.psnr()), number(cell.gaussian.errors.worst),
           number(cell.box.errors.rmse()), number(cell.box.errors.psnr()), number(cell.box.errors.worst),
           number(cell.visible), cell.gaussian.shimmer ? number(std::sqrt(*cell.gaussian.shimmer)) : "",
@@ -129,7 +128,7 @@ std::string to_text(const Survey& survey, const std::vector<Claim>& claims) {
   }
   for (const Claim& claim : claims) {
     if (claim.verdict == Verdict::kNotMeasured) continue;
-    text += fmt::format("{:<14}{} ({})\n", verdict_name(claim.verdict), claim.name, claim.source);
+    text += fmt::format("{:<32}{} ({})\n", verdict_text(claim), claim.name, claim.source);
   }
   if (survey.missing != 0) {
     text +=

@@ -77,6 +77,10 @@ std::vector<Cell> pool_exhibits(const Survey& survey) {
   return pooled;
 }
 
+double psnr_ahead(const CellErrors& a, const CellErrors& b) {
+  return a.errors.mean_square == b.errors.mean_square ? 0 : a.errors.psnr() - b.errors.psnr();
+}
+
 const Cell* find_cell(const ExhibitResult& result, std::string_view contestant) {
   const auto found = std::ranges::find(result.cells, contestant, &Cell::contestant);
   return found == result.cells.end() ? nullptr : &*found;

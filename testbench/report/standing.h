@@ -35,6 +35,9 @@ bool on_front(const std::vector<const Cell*>& front, const Cell& cell);
 // worst of the worst errors. Named "all".
 std::vector<Cell> pool_exhibits(const Survey& survey);
 
+// By how many decibels `a` is nearer to the truth than `b`; 0 where neither has any error.
+double psnr_ahead(const CellErrors& a, const CellErrors& b);
+
 // Null where it was not measured.
 const Cell* find_cell(const ExhibitResult& result, std::string_view contestant);
 

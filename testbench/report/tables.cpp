@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "testbench/page/plot.h"
@@ -37,6 +38,13 @@ std::vector<const Cell*> names_apart(const std::vector<const Cell*>& front, cons
     if (std::ranges::none_of(named, runs_into)) named.push_back(front[i]);
   }
   return named;
+}
+
+// A user's own file may be called anything.
+std::string identifier(std::string name) {
+  std::ranges::replace_if(
+      name, [](unsigned char c) { return std::isalnum(c) == 0 && c != '_'; }, '-');
+  return name;
 }
 
 page::Cell plain(std::string text) { return {std::move(text)}; }
@@ -88,7 +96,7 @@ page::Table standing_table(const std::vector<Cell>& cells) {
 std::string standing_plot(const std::string& name, const std::string& title, const std::vector<Cell>& cells,
                           const Currency& currency, const TruthKind& truth) {
   page::Plot plot;
-  plot.name = name;
+  plot.name = identifier(name);
   plot.title = title;
   plot.x.label = currency.label;
   plot.x.log = true;
