@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "testbench/measure/errors.h"
 
-#include <OpenImageIO/imagebufalgo.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+
+#include "testbench/measure/yee.h"
 
 namespace feline {
 namespace {
@@ -24,18 +25,19 @@ void for_inner_pixels(const FloatPicture& picture, Visit visit) {
 
 int colours(int channels) { return std::min(channels, 3); }
 
-// Display primaries in linear light, three channels; a single channel is grey.
-std::vector<float> displayed(const FloatPicture& picture, bool srgb, int channels) {
-  std::vector<float> values;
-  values.reserve(3 * picture.pixels.size());
+// A single channel is grey.
+Displayed displayed(const FloatPicture& picture, bool srgb, int channels) {
+  Displayed result{picture.width, picture.height, {}};
+  result.pixels.reserve(picture.pixels.size());
   for (const auto& pixel : picture.pixels) {
+    std::array<double, 3> light{};
     for (std::size_t c = 0; c < 3; ++c) {
       const double value = std::clamp(static_cast<double>(pixel[channels == 1 ? 0 : c]), 0.0, 1.0);
-      const double linear = srgb ? value : value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-      values.push_back(static_cast<float>(linear));
+      light[c] = srgb ? value : value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
     }
+    result.pixels.push_back(light);
   }
-  return values;
+  return result;
 }
 
 }  // namespace
@@ -84,15 +86,10 @@ double temporal_mean_square(const FloatPicture& before, const FloatPicture& trut
 
 double visible_difference(const FloatPicture& picture, const FloatPicture& truth, int whole_width, bool srgb,
                           int channels) {
-  std::vector<float> a = displayed(picture, srgb, channels);
-  std::vector<float> b = displayed(truth, srgb, channels);
-  const OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeDesc::FLOAT);
-  const OIIO::ImageBuf a_image(spec, a.data());
-  const OIIO::ImageBuf b_image(spec, b.data());
-  OIIO::ImageBufAlgo::CompareResults results;
-  const int failing = OIIO::ImageBufAlgo::compare_Yee(
-      a_image, b_image, results, 100, 45 * static_cast<float>(picture.width) / static_cast<float>(whole_width));
-  return static_cast<double>(failing) / (static_cast<double>(picture.width) * picture.height);
+  const double degrees = 2 * std::tan(std::numbers::pi / 8) * 180 / std::numbers::pi;  // of a flat picture 45 wide
+  const std::int64_t seen = count_visible(displayed(picture, srgb, channels), displayed(truth, srgb, channels),
+                                          static_cast<double>(whole_width) / degrees);
+  return static_cast<double>(seen) / static_cast<double>(picture.pixels.size());
 }
 
 }  // namespace feline
