@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "model/reference/ellipse.h"
 
@@ -11,12 +12,38 @@ namespace {
 
 constexpr double kLeastMinorRadius = 1.5;  // texels of the level that is read, and twice that is the most
 constexpr double kMostRadius = 48;
-constexpr double kMostRadiusOfBase = 4096;
+constexpr double kMostTexelsOfBase = 1 << 18;
 
 int choose_level(const MipMap& map, double minor_radius) {
   if (minor_radius < 2 * kLeastMinorRadius) return 0;
   const double level = std::floor(std::log2(minor_radius / kLeastMinorRadius));
   return static_cast<int>(std::min(level, static_cast<double>(map.last_level())));
+}
+
+// So much of an ellipse that reading it takes a bounded time.
+struct Radii {
+  double major;
+  double minor;
+};
+
+Radii limit_radii(double major, double minor, int level) {
+  if (level > 0) return {std::min(major, kMostRadius), std::min(minor, kMostRadius)};
+  constexpr double kMostArea = kMostTexelsOfBase / std::numbers::pi;
+  if (major * minor <= kMostArea) return {major, minor};
+  const double limited = std::min(minor, std::sqrt(kMostArea));
+  return {kMostArea / limited, limited};
+}
+
+// Into one period; a clamped coordinate so far out that every texel there is the same stays out, and fits an integer.
+double near_texture(double coordinate, Wrap wrap) {
+  constexpr double kFar = 1 << 20;
+  switch (wrap) {
+    case Wrap::kRepeat: return coordinate - std::floor(coordinate);
+    case Wrap::kMirroredRepeat: return coordinate - 2 * std::floor(coordinate / 2);
+    case Wrap::kClampToEdge:
+    case Wrap::kClampToBorder: return std::clamp(coordinate, -kFar, kFar);
+  }
+  return coordinate;
 }
 
 // The columns of a row inside the ellipse: u with a u^2 + b u v + c v^2 <= 1.
@@ -72,9 +99,8 @@ EwaEllipse plan_ewa(const MipMap& map, const EwaParameters& parameters, const Gr
   }
   const Axes<double> axes = ellipse_axes(in_texels(normalized, map.levels[static_cast<std::size_t>(ellipse.level)]));
   const double widen = ellipse.level == 0 ? 1 : 0;
-  const double most = parameters.mip_mapped && ellipse.level > 0 ? kMostRadius : kMostRadiusOfBase;
-  const double major = std::min(std::hypot(axes.major_radius, widen), most);
-  const double minor = std::min(std::hypot(bounded_minor(axes), widen), most);
+  const auto [major, minor] =
+      limit_radii(std::hypot(axes.major_radius, widen), std::hypot(bounded_minor(axes), widen), ellipse.level);
   const double cosine = axes.major_radius == 0 ? 1 : axes.major.u / axes.major_radius;
   const double sine = axes.major_radius == 0 ? 0 : axes.major.v / axes.major_radius;
   const double along = 1 / (major * major);
@@ -90,8 +116,8 @@ EwaEllipse plan_ewa(const MipMap& map, const EwaParameters& parameters, const Gr
 Colour ewa_filter(const MipMap& map, const EwaParameters& parameters, const Lookup& lookup, Cost& cost) {
   const EwaEllipse ellipse = plan_ewa(map, parameters, lookup.gradients);
   const Level& level = map.levels[static_cast<std::size_t>(ellipse.level)];
-  const double u = lookup.position.u * level.width - 0.5;
-  const double v = lookup.position.v * level.height - 0.5;
+  const double u = near_texture(lookup.position.u, map.wrapping.s) * level.width - 0.5;
+  const double v = near_texture(lookup.position.v, map.wrapping.t) * level.height - 0.5;
   Colour sum{};
   double weights = 0;
   double texels = 0;

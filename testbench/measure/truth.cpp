@@ -154,7 +154,10 @@ Truth compute_truth(const reference::MipMap& map, const PictureProjection& proje
                                              static_cast<std::uint64_t>(column + 1)));
         for (std::size_t half = 0; half < kHalves; ++half) {
           stratify(strata, random, [&](double fx, double fy) {
-            stripe.add(half, column, row, fx, fy, sample_level0(map, projection(column + fx, row + fy)));
+            const reference::Vector2<double> at = projection(column + fx, row + fy);
+            // Beyond the picture's edge a ray may miss the surface.
+            if (!std::isfinite(at.u) || !std::isfinite(at.v)) return;
+            stripe.add(half, column, row, fx, fy, sample_level0(map, at));
           });
         }
       }

@@ -46,7 +46,7 @@ std::vector<const Contestant*> choose_contestants(const std::string& text) {
   return chosen;
 }
 
-// A user's own G-buffer and texture, or one of them with a scene's other half.
+// A user's own G-buffer and texture.
 ExhibitPlan plan_own(const ReportOptions& options) {
   if (options.gbuffer.empty() || options.texture.empty()) {
     bad_input("command line", options.gbuffer.empty() ? "--gbuffer" : "--texture", "nothing",
@@ -86,6 +86,7 @@ int run_report(const ReportOptions& options) {
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error) bad_input(options.output, "--output", error.message(), "a directory, or where one can be made");
+  page::check_gnuplot();
   const Cache cache(options.cache.empty() ? directory / "cache" : std::filesystem::path(options.cache));
   for (const char* const name : {"report.html", "report.json", "report.csv"}) check_writable(directory / name);
   page::check_gnuplot();
@@ -135,7 +136,14 @@ void add_report(CLI::App& program, int& exit_code) {
       ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
       ->capture_default_str();
   command->add_flag("--json", options->json, "print report.json");
-  command->callback([options, &exit_code] { exit_code = run_report(*options); });
+  command->callback([options, &exit_code] {
+    try {
+      exit_code = run_report(*options);
+    } catch (const RtlMismatch& error) {
+      fmt::print(stderr, "feline: {}\n", error.what());
+      exit_code = kBroken;
+    }
+  });
 }
 
 }  // namespace feline

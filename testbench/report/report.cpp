@@ -120,10 +120,13 @@ std::string to_text(const Survey& survey, const std::vector<Claim>& claims) {
     text += fmt::format("{:<44}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}\n", result.plan.name + ", PSNR against", "Gaussian",
                         "box", "ns", "cycles", "texels", "RTL");
     for (const Cell* const cell : sorted) {
-      text +=
-          fmt::format("  {:<42}{:>9.2f}{:>9.2f}{:>9.0f}{:>9.2f}{:>9.1f}{:>9}\n", cell->contestant,
-                      cell->gaussian.errors.psnr(), cell->box.errors.psnr(), cell->nanoseconds, cell->cost.stamp_cycles,
-                      cell->cost.texels, cell->rtl_cycles ? fmt::format("{:.1f}", *cell->rtl_cycles) : "");
+      text += fmt::format("  {:<42}{:>9.2f}{:>9.2f}", cell->contestant, cell->gaussian.errors.psnr(),
+                          cell->box.errors.psnr());
+      for (const Currency& currency : kCurrencies) {
+        const bool counts = currency.counts(*find_contestant(cell->contestant));
+        text += fmt::format("{:>9}", counts ? fmt::format("{:.1f}", currency.of(*cell)) : "");
+      }
+      text += fmt::format("{:>9}\n", cell->rtl_cycles ? fmt::format("{:.1f}", *cell->rtl_cycles) : "");
     }
   }
   for (const Claim& claim : claims) {

@@ -167,7 +167,7 @@ BoundText bound_text(Subject subject, Metric metric) {
                 table
                     ? "enumerated over all mantissas against the ideal ellipse (tests/model/footprint_bounds_test.cpp)"
                     : "the longer gradient is 1/sqrt(2) to 1 of the major radius; the two-part length is -1.12 % to "
-                      "+1.21 % off; mantissas are rounded outward by up to 1/64"};
+                      "+1.21 % off; mantissas are rounded by up to 1/128"};
       case Metric::kMinor: return {};
       case Metric::kEffective:
         return {fmt::format("{:.4f} to {:.4f} of the true one", r.effective_low, r.effective_high),
@@ -176,7 +176,7 @@ BoundText bound_text(Subject subject, Metric metric) {
                         "shortest side or diagonal is up to 3.96 effective radii"};
       case Metric::kAxis:
         return {fmt::format("{:.3f}", r.axis),
-                fmt::format("{} {:.3f}, mantissas rounded outward {:.4f}, the two-part length {:.2f}",
+                fmt::format("{} {:.3f}, mantissas rounded to nearest {:.4f}, the two-part length {:.2f}",
                             table ? "within a table cell" : "the longer gradient against the axis",
                             table ? kTableAxis : kSimpleAxis, kMantissaAxis, kLengthAxis)};
       case Metric::kRawLevel:

@@ -25,8 +25,8 @@ std::int64_t wanted_status(const Case& of) {
   const Lookup& at = of.lookup;
   const double most = std::max(
       {std::abs(at.dsdx * width), std::abs(at.dsdy * width), std::abs(at.dtdx * height), std::abs(at.dtdy * height)});
-  // 127 * 2^63 texels are the largest that have an exponent.
-  return most > 127 * 0x1p63 ? status | kOverflow : status;
+  // Feline's modes round to the nearest mantissa, of which 127 * 2^63 texels is the largest.
+  return most >= 127.5 * 0x1p63 ? status | kOverflow : status;
 }
 
 void judge(NonFiniteRow& row, const Case& of) {
