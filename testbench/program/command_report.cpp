@@ -82,14 +82,13 @@ int run_report(const ReportOptions& options) {
   survey_options.exhibits = choose_exhibits(options);
   survey_options.budget = options.budget;
   survey_options.seed = options.seed;
+  page::check_gnuplot();
   const std::filesystem::path directory = options.output;
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error) bad_input(options.output, "--output", error.message(), "a directory, or where one can be made");
-  page::check_gnuplot();
   const Cache cache(options.cache.empty() ? directory / "cache" : std::filesystem::path(options.cache));
   for (const char* const name : {"report.html", "report.json", "report.csv"}) check_writable(directory / name);
-  page::check_gnuplot();
   const Survey survey = run_survey(survey_options, cache);
   const Report report = make_report(survey);
   OutputFiles outputs;

@@ -93,8 +93,9 @@ TEST(measure_yee, masking_has_its_limit) {
       return std::array<double, 3>{value, value, value};
     });
   };
-  EXPECT_EQ(part(stripes(0.3), grey(0.5)), 0);
-  EXPECT_EQ(part(stripes(0.32), grey(0.5)), 1);
+  // The outermost columns have a neighbour less.
+  EXPECT_LT(part(stripes(0.3), grey(0.5)), 0.1);
+  EXPECT_GT(part(stripes(0.32), grey(0.5)), 0.9);
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ Verdict verdict(std::string_view name, const std::string& exhibit, const std::ve
 TEST(report_claims, nothing_measured) {
   for (const Survey& survey : {Survey{}, survey_of({result_of("bricks", {cell_of("nearest", 20)})})}) {
     const auto claims = judge_claims(survey);
-    EXPECT_EQ(claims.size(), 7U);
+    EXPECT_EQ(claims.size(), 9U);
     for (const Claim& claim : claims) {
       EXPECT_EQ(claim.verdict, Verdict::kNotMeasured) << claim.name;
       EXPECT_TRUE(claim.measured.empty());
@@ -142,11 +142,38 @@ TEST(report_claims, table_against_simple) {
 
 TEST(report_claims, comparable_to_ewa) {
   const auto with = [](double behind) {
-    return verdict("Feline is comparable to EWA", "text", {cell_of("ewa", 30), cell_of("feline_table", 30 - behind)});
+    return verdict("Feline is comparable to EWA", "text", {cell_of("ewa", 30), cell_of("feline_ideal", 30 - behind)});
   };
   EXPECT_EQ(with(1 - kLittle), Verdict::kHolds);
   EXPECT_EQ(with(-3), Verdict::kHolds);
   EXPECT_EQ(with(1 + kLittle), Verdict::kContradicted);
+}
+
+// Small pictures are not judged, and errors that 8 bits do not show are none.
+TEST(report_claims, what_is_not_judged) {
+  const auto with = [](int side, double real, double unit) {
+    ExhibitResult result = result_of("own", {cell_of("feline_table", real), cell_of("unit_table", unit)});
+    result.plan.width = result.plan.height = side;
+    return claim_of("8 bits suffice", survey_of({result})).verdict;
+  };
+  EXPECT_EQ(with(kLeastJudgedSide, 30, 28), Verdict::kContradicted);
+  EXPECT_EQ(with(kLeastJudgedSide - 1, 30, 28), Verdict::kNotMeasured);
+  // 1 / (255 sqrt(12)) is 58.92 dB.
+  EXPECT_EQ(with(kLeastJudgedSide, 70, 59), Verdict::kHolds);
+  EXPECT_EQ(with(kLeastJudgedSide, 70, 58.9), Verdict::kContradicted);
+}
+
+// A user's own file may have a scene's name; a paper's sentence is of more scenes than one.
+TEST(report_claims, scenes_are_told_apart_and_counted) {
+  const std::vector<Cell> cells{cell_of("feline_simple", 30), cell_of("feline_table", 34)};
+  ExhibitResult own = result_of("window", cells);
+  own.plan.perspective = false;
+  const std::string_view name = "Table beats Simple on extreme projections";
+  EXPECT_EQ(claim_of(name, survey_of({own})).verdict, Verdict::kNotMeasured);
+  EXPECT_EQ(verdict_text(claim_of(name, survey_of({result_of("window", cells)}))), "holds, 1 of 3 scenes");
+  EXPECT_EQ(verdict_text(claim_of(name, survey_of({result_of("window", cells), result_of("sphere", cells),
+                                                   result_of("reflector", cells)}))),
+            "holds");
 }
 
 // A picture without any error has no finite PSNR.

@@ -106,7 +106,7 @@ TEST(report_report, json_is_json) {
   EXPECT_FALSE(still["filters"][2].contains("texels"));
   EXPECT_NEAR(still["unit_error"][0]["feline_rmse"], 0.01, 1e-15);
   EXPECT_NEAR(report.json["scenes"][1]["filters"][0]["gaussian"]["shimmer"], 0.02, 1e-15);
-  EXPECT_EQ(report.json["claims"].size(), 7U);
+  EXPECT_EQ(report.json["claims"].size(), 9U);
 }
 
 TEST(report_report, the_page_is_whole_and_alone) {

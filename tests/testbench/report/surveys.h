@@ -33,7 +33,7 @@ inline ExhibitResult result_of(std::string name, std::vector<Cell> cells) {
   ExhibitResult result;
   result.plan.name = std::move(name);
   result.plan.description = "made up";
-  result.plan.width = result.plan.height = 2;
+  result.plan.width = result.plan.height = 256;  // in name; the pictures are smaller
   TruthFacts facts;
   facts.gaussian_error = facts.box_error = 1e-4;
   facts.samples = 2;
