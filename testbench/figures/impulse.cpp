@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "testbench/figures/impulse.h"
 
-#include <OpenImageIO/parallel.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "model/reference/ellipse.h"
+#include "testbench/parallel.h"
 
 namespace feline {
 namespace {
@@ -49,7 +48,7 @@ FilterShape impulse_response(const ProbedFilter& filter, MipFilter mip_filter, i
     const int x = place % places;
     const int y = place / places;
     const reference::MipMap map = impulse_texture(x, y, mip_filter);
-    OIIO::parallel_for(-shape.half_side, shape.half_side, [&](std::int64_t row) {
+    for_each_index(-shape.half_side, shape.half_side, [&](std::int64_t row) {
       const double v = y + 0.5 - static_cast<double>(row) / per_texel;
       for (int column = -shape.half_side; column < shape.half_side; ++column) {
         const double u = x + 0.5 - static_cast<double>(column) / per_texel;

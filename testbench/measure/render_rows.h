@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <OpenImageIO/parallel.h>
-
 #include <atomic>
 #include <cstdint>
 #include <ctime>
 #include <mutex>
 
 #include "testbench/measure/contestant.h"
+#include "testbench/parallel.h"
 
 namespace feline {
 
@@ -29,7 +28,7 @@ Rendering render_rows(const View& view, Progress* progress, PixelOf pixel) {
   if (reference::Cost ignored; !view.gbuffer.lookups.empty()) pixel(std::size_t{0}, ignored);
   std::mutex mutex;
   std::int64_t nanoseconds = 0;
-  OIIO::parallel_for(0, view.gbuffer.height, [&](std::int64_t row) {
+  for_each_index(0, view.gbuffer.height, [&](std::int64_t row) {
     const auto width = static_cast<std::size_t>(view.gbuffer.width);
     const std::size_t first = static_cast<std::size_t>(row) * width;
     reference::Cost cost;

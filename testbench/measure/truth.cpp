@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "testbench/measure/truth.h"
 
-#include <OpenImageIO/parallel.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <mutex>
 
+#include "testbench/parallel.h"
 #include "testbench/random.h"
 
 namespace feline {
@@ -141,7 +140,7 @@ Truth compute_truth(const reference::MipMap& map, const PictureProjection& proje
   constexpr int kRows = 8;
   std::vector<PixelSums> sums(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   std::mutex mutex;
-  OIIO::parallel_for(0, (height + kRows - 1) / kRows, [&](std::int64_t number) {
+  for_each_index(0, (height + kRows - 1) / kRows, [&](std::int64_t number) {
     const int first_row = static_cast<int>(number) * kRows;
     const int rows = std::min(kRows, height - first_row);
     Stripe stripe(width, first_row, rows);
@@ -174,7 +173,7 @@ Truth compute_truth(const reference::MipMap& map, const GBuffer& gbuffer, int st
   // A whole number of cells in the box's half side.
   const int even = strata + strata % 2;
   std::vector<PixelSums> sums(gbuffer.lookups.size());
-  OIIO::parallel_for(0, gbuffer.height, [&](std::int64_t row) {
+  for_each_index(0, gbuffer.height, [&](std::int64_t row) {
     for (int column = 0; column < gbuffer.width; ++column) {
       const auto pixel =
           static_cast<std::size_t>(row) * static_cast<std::size_t>(gbuffer.width) + static_cast<std::size_t>(column);

@@ -11,6 +11,7 @@
 #include "model/unit.h"
 #include "testbench/cosim/cosimulation.h"
 #include "testbench/measure/render_rows.h"
+#include "testbench/parallel.h"
 
 namespace feline {
 namespace {
@@ -87,7 +88,7 @@ double measure_rtl_cycles(const View& view, const SamplerOptions& options) {
   const int rows = (view.gbuffer.height + kOneIn - 1) / kOneIn;
   std::atomic<std::uint64_t> cycles = 0;
   std::atomic<bool> agree = true;
-  OIIO::parallel_for(0, rows, [&](std::int64_t number) {
+  for_each_index(0, rows, [&](std::int64_t number) {
     // The row before, if there is one, fills the cache.
     const int row = static_cast<int>(std::min<std::int64_t>(number * kOneIn + kOneIn / 2, view.gbuffer.height - 1));
     const std::size_t warming = row > 0 ? width : 0;

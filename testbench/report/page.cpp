@@ -14,7 +14,7 @@
 namespace feline {
 namespace {
 
-// Shown first; the others unfold.
+// Whose pictures are shown where more are measured than these.
 constexpr std::array<std::string_view, 12> kPrincipal{
     "nearest", "trilinear",     "ext",          "rip_pixel",  "vertex_max_staggered",
     "texram",  "feline_simple", "feline_table", "unit_table", "unit_table_gaussian",
@@ -134,25 +134,22 @@ std::string picture_of(const Cell& cell) {
 }
 
 std::string pictures(const ExhibitResult& result) {
-  std::vector<std::string> first;
-  std::vector<std::string> others;
+  std::vector<std::string> shown;
   const TruthFacts& truth = *result.truth;
-  first.push_back(page::figure(page::png(truth.gaussian_png, "Gaussian truth", true), "Gaussian truth"));
-  first.push_back(page::figure(page::png(truth.box_png, "box truth", true), "box truth"));
+  shown.push_back(page::figure(page::png(truth.gaussian_png, "Gaussian truth", true), "Gaussian truth"));
+  shown.push_back(page::figure(page::png(truth.box_png, "box truth", true), "box truth"));
   const bool few = result.cells.size() <= kPrincipal.size();
   for (const Cell& cell : result.cells) {
-    const bool principal = few || std::ranges::find(kPrincipal, cell.contestant) != kPrincipal.end();
-    (principal ? first : others).push_back(picture_of(cell));
+    if (few || std::ranges::find(kPrincipal, cell.contestant) != kPrincipal.end()) shown.push_back(picture_of(cell));
   }
   std::string html = page::paragraph(fmt::format(
       "Where trilinear filtering fails most: {0} x {0} pixels at ({1}, {2}). Beneath each picture its difference from "
       "the "
       "Gaussian truth, four times amplified around grey, and its probes a pixel: 1 white, 2 light blue, 4 dark blue, 8 "
-      "green, 16 red.",
-      truth.focus.detail.size, truth.focus.detail.left, truth.focus.detail.top));
-  html += page::thumbnails(first);
-  if (!others.empty()) html += page::fold("The other filters", page::thumbnails(others));
-  return html;
+      "green, 16 red.{3}",
+      truth.focus.detail.size, truth.focus.detail.left, truth.focus.detail.top,
+      few ? "" : " Other filters: feline report --filter NAME,..."));
+  return html + page::thumbnails(shown);
 }
 
 std::string exhibit_section(const ExhibitResult& result) {
