@@ -84,7 +84,7 @@ class Work {
   Result through_cache(const std::string& what, Parse parse, Make make) {
     const std::string key = cache_key(what);
     if (const auto stored = cache_.read(key)) return parse(nlohmann::ordered_json::parse(*stored));
-    const Result result = make();
+    Result result = make();
     cache_.write(key, to_json(result).dump());
     return result;
   }

@@ -144,12 +144,12 @@ Claim unit_as_double(const Survey& survey) {
                   kUnitBound),
       "this project; WRL 99/1, 3.2: \"These errors are negligible\""};
   claim.ours = true;
-  for (const auto& [unit, real] : std::array<std::array<std::string_view, 2>, 2>{
+  for (const auto& names : std::array<std::array<std::string_view, 2>, 2>{
            {{"unit_table", "feline_table"}, {"unit_table_gaussian", "feline_table_gaussian"}}}) {
-    for_pairs(survey, {}, real, unit, [&](const ExhibitResult& result, const Cell& a, const Cell& b) {
+    for_pairs(survey, {}, names[1], names[0], [&](const ExhibitResult& result, const Cell& a, const Cell& b) {
       claim.measured.push_back(
           fmt::format("{}, {}: {:+.3f} dB (Gaussian), {:+.3f} dB (box); worst pixel {:.3f} at ({}, {})",
-                      result.plan.name, unit, psnr_ahead(b.gaussian, a.gaussian), psnr_ahead(b.box, a.box),
+                      result.plan.name, names[0], psnr_ahead(b.gaussian, a.gaussian), psnr_ahead(b.box, a.box),
                       b.gaussian.errors.worst, b.gaussian.errors.worst_column, b.gaussian.errors.worst_row));
       judge(claim, psnr(b) >= psnr(a) - kUnitBound);
     });

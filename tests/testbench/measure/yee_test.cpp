@@ -34,8 +34,8 @@ double part(const Displayed& a, const Displayed& b) {
 TEST(measure_yee, the_threshold_of_even_pictures) {
   for (const auto& [luminance, least] :
        {std::pair(50.0, 3.0879), std::pair(0.5, 0.20136), std::pair(0.01, 0.0054723)}) {
-    const auto pair = [&](double apart) {
-      return part(grey((luminance - apart / 2) / 100), grey((luminance + apart / 2) / 100));
+    const auto pair = [at = luminance](double apart) {
+      return part(grey((at - apart / 2) / 100), grey((at + apart / 2) / 100));
     };
     EXPECT_EQ(pair(0.99 * least), 0) << luminance;
     EXPECT_EQ(pair(1.01 * least), 1) << luminance;
@@ -93,8 +93,9 @@ TEST(measure_yee, masking_has_its_limit) {
       return std::array<double, 3>{value, value, value};
     });
   };
-  EXPECT_EQ(part(stripes(0.3), grey(0.5)), 0);
-  EXPECT_EQ(part(stripes(0.32), grey(0.5)), 1);
+  // But for the picture's edges, where blurs are lopsided.
+  EXPECT_LT(part(stripes(0.3), grey(0.5)), 0.1);
+  EXPECT_GT(part(stripes(0.32), grey(0.5)), 0.9);
 }
 
 }  // namespace
