@@ -32,7 +32,16 @@ Gradients differences(const View& view, double x, double y) {
   return {along(1, 0), along(0, 1)};
 }
 
-class measure_view : public testing::Test {
+// Of a pixel by its number.
+struct Point {
+  double x, y;
+};
+Point middle_of(int pixel) {
+  const int row = pixel / kWidth;
+  return {pixel - row * kWidth + 0.5, row + 0.5};
+}
+
+class measure_view : public testing::Test {  // NOLINT(readability-identifier-naming): the suite's name
  protected:
   static View view_of(std::string_view name) {
     static const Surface surface = make_surface(small_scene("bricks").texture(), {}, MipEdge::kRepeat);
@@ -44,8 +53,7 @@ TEST_F(measure_view, pixels_are_the_projections_middles) {
   const View view = view_of("tessellated");
   ASSERT_EQ(view.pixels.size(), std::size_t{kWidth * kHeight});
   for (int i = 0; i < kWidth * kHeight; ++i) {
-    const double x = i % kWidth + 0.5;
-    const double y = i / kWidth + 0.5;
+    const auto [x, y] = middle_of(i);
     const auto& lookup = view.pixels[static_cast<std::size_t>(i)].lookup;
     const auto at = view.projection(x, y);
     EXPECT_NEAR(lookup.position.u, at.u, 1e-6);
@@ -94,13 +102,11 @@ TEST_F(measure_view, axes_are_interpolated_from_vertices) {
 TEST_F(measure_view, a_quads_middle_is_where_it_is_looked_at) {
   const View view = view_of("bricks");
   for (int i = 0; i < kWidth * kHeight; ++i) {
-    const double x = (std::floor((i % kWidth + 0.5) / kWidth * 16) + 0.5) / 16 * kWidth;
-    const double y = (std::floor((i / kWidth + 0.5) / kHeight * 16) + 0.5) / 16 * kHeight;
+    const Point pixel = middle_of(i);
+    const double x = (std::floor(pixel.x / kWidth * 16) + 0.5) / 16 * kWidth;
+    const double y = (std::floor(pixel.y / kHeight * 16) + 0.5) / 16 * kHeight;
     // On an edge either quad may have it.
-    if (std::abs(x - (i % kWidth + 0.5)) > 0.499 * kWidth / 16 ||
-        std::abs(y - (i / kWidth + 0.5)) > 0.499 * kHeight / 16) {
-      continue;
-    }
+    if (std::abs(x - pixel.x) > 0.499 * kWidth / 16 || std::abs(y - pixel.y) > 0.499 * kHeight / 16) continue;
     const auto& middle = view.pixels[static_cast<std::size_t>(i)].polygon_middle;
     const auto at = view.projection(x, y);
     EXPECT_NEAR(middle.position.u, at.u, 1e-9);
