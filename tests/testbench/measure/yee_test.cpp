@@ -32,13 +32,13 @@ double part(const Displayed& a, const Displayed& b) {
 // Even pictures have no contrast that would raise the threshold: it is Ward Larson's, worked out by hand in each of his
 // cases, in cd/m^2 of 100.
 TEST(measure_yee, the_threshold_of_even_pictures) {
+  const auto seen = [](double luminance, double apart) {
+    return part(grey((luminance - apart / 2) / 100), grey((luminance + apart / 2) / 100));
+  };
   for (const auto& [luminance, least] :
        {std::pair(50.0, 3.0879), std::pair(0.5, 0.20136), std::pair(0.01, 0.0054723)}) {
-    const auto pair = [&](double apart) {
-      return part(grey((luminance - apart / 2) / 100), grey((luminance + apart / 2) / 100));
-    };
-    EXPECT_EQ(pair(0.99 * least), 0) << luminance;
-    EXPECT_EQ(pair(1.01 * least), 1) << luminance;
+    EXPECT_EQ(seen(luminance, 0.99 * least), 0) << luminance;
+    EXPECT_EQ(seen(luminance, 1.01 * least), 1) << luminance;
   }
 }
 
