@@ -94,9 +94,8 @@ Rom ellipse_rom(const Config& config, CellRepresentation representation) {
   rom.name = "ellipse";
   rom.contents =
       "Word row * columns + column: uvScale, uvScale90, minorRadiusScale, majorRadiusScale, first highest; scales of "
-      "the "
-      "longer vector (Feline 3.3). Row: ratio of the shorter to the longer vector; column: tangent, then cotangent + "
-      "1.";
+      "the longer vector (Feline 3.3). Row: ratio of the shorter to the longer vector; column: tangent, then cotangent "
+      "+ 1.";
   rom.data_bits = 4 * config.entry_bits;
   rom.error_unit = "longer vector";
   const auto bits = fraction_bits(config);

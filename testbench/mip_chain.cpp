@@ -13,6 +13,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "testbench/srgb.h"
+
 namespace feline {
 namespace {
 
@@ -61,11 +63,6 @@ class AreaBox final : public OIIO::Filter2D {
 std::unique_ptr<OIIO::Filter2D> make_filter(MipFilter filter, float x_ratio, float y_ratio) {
   if (filter == MipFilter::kBox) return std::make_unique<AreaBox>(x_ratio, y_ratio);
   return std::make_unique<Lanczos3>();
-}
-
-// IEC 61966-2-1.
-double srgb_to_linear(double encoded) {
-  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
 // From a stored channel to light and back. Encoding searches the 255 boundaries between codes,

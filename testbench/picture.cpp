@@ -78,6 +78,7 @@ std::array<int, 3> probe_colour(int probes) {
                                            Anchor{512, {20, 40, 160}}, Anchor{768, {0, 255, 0}},
                                            Anchor{1024, {255, 0, 0}}};
   // log2 of the count, piecewise linear between powers of two.
+  probes = std::max(probes, 1);
   const int top = bit_length(probes) - 1;
   return ramp(kAnchors, 256 * top + ((probes - (1 << top)) << 8 >> top));
 }

@@ -22,7 +22,7 @@ struct Picture {
 
 // 8 bit RGBA PNG: channels rounded to nearest; sRGB by the nearest code in linear light.
 void write_picture(OutputFiles& outputs, const std::filesystem::path& path, const Picture& picture);
-// Probes a pixel: 1 white, 2 light blue, 4 dark blue, 8 green, 16 red, blended between (Feline figures 33, 34).
+// Probes a pixel: 1 or none white, 2 light blue, 4 dark blue, 8 green, 16 red, blended between (Feline figures 33, 34).
 std::array<int, 3> probe_colour(int probes);
 void write_probe_map(OutputFiles& outputs, const std::filesystem::path& path, const Picture& picture);
 // Level of detail: hues from red, level 0, to violet, the last level.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace feline {
@@ -14,12 +15,17 @@ Progress::Progress(std::string what, std::uint64_t total)
       terminal_(isatty(STDERR_FILENO) == 1),
       start_(std::chrono::steady_clock::now()) {}
 
+Progress::Progress(Progress& whole, std::uint64_t share, std::uint64_t total)
+    : whole_(&whole), share_(share), total_(total == 0 ? 1 : total), terminal_(false) {}
+
 Progress::~Progress() {
+  if (whole_ != nullptr) pass_on(total_);
   if (drawn_ != 0) fmt::print(stderr, "\r\033[K");
 }
 
 void Progress::advance(std::uint64_t done) {
   const std::uint64_t now_done = done_ += done;
+  if (whole_ != nullptr) pass_on(now_done);
   if (!terminal_) return;
   constexpr std::int64_t kPatience = 2000;
   constexpr std::int64_t kBetween = 200;
@@ -28,6 +34,14 @@ void Progress::advance(std::uint64_t done) {
   std::int64_t before = drawn_;
   if (elapsed < kPatience || elapsed - before < kBetween || !drawn_.compare_exchange_strong(before, elapsed)) return;
   draw(now_done, elapsed);
+}
+
+void Progress::pass_on(std::uint64_t done) {
+  const std::uint64_t due = share_ * std::min(done, total_) / total_;
+  std::uint64_t before = passed_on_;
+  while (before < due && !passed_on_.compare_exchange_weak(before, due)) {
+  }
+  if (before < due) whole_->advance(due - before);
 }
 
 void Progress::draw(std::uint64_t done, std::int64_t elapsed) {

@@ -7,9 +7,9 @@ namespace feline {
 
 // splitmix64: the same sequence on every host. Steele, Lea, Flood, "Fast splittable pseudorandom number generators",
 // OOPSLA 2014.
-class Random {
+class SplitMix64 {
  public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
+  explicit SplitMix64(std::uint64_t seed) : state_(seed) {}
 
   std::uint64_t next() {
     std::uint64_t z = state_ += 0x9e3779b97f4a7c15;
@@ -28,7 +28,7 @@ class Random {
 
 // A seed of its own for each part of a run.
 inline std::uint64_t derived_seed(std::uint64_t seed, std::uint64_t part) {
-  return Random(seed ^ (part * 0xd1342543de82ef95 + 1)).next();
+  return SplitMix64(seed ^ (part * 0xd1342543de82ef95 + 1)).next();
 }
 
 }  // namespace feline

@@ -37,10 +37,14 @@ Filter bicubic_row(std::string name, std::string_view description, const Cubic& 
 }
 
 Filter ewa_row(std::string name, std::string_view description, const EwaParameters& parameters) {
-  return {
-      std::move(name), description, kFeline, {}, [parameters](const Images& images, const Pixel& pixel, Cost& cost) {
-        return ewa_filter(images.box, parameters, pixel.lookup, cost);
-      }};
+  return {std::move(name),
+          description,
+          kFeline,
+          {},
+          [parameters](const Images& images, const Pixel& pixel, Cost& cost) {
+            return ewa_filter(images.box, parameters, pixel.lookup, cost);
+          },
+          Form::kBox};
 }
 
 Filter vertex_based_row(std::string_view system_name, AxisSystem system, std::string_view pattern_name,
@@ -124,14 +128,16 @@ std::vector<Filter> make_filters() {
        {},
        [](const Images& images, const Pixel& pixel, Cost& cost) {
          return rip_polygon_filter(images.rip, pixel.polygon_middle, pixel.lookup, cost);
-       }},
+       },
+       Form::kRip},
       {"rip_pixel",
        "four images of fitting ratio for each pixel",
        kRip,
        {},
        [](const Images& images, const Pixel& pixel, Cost& cost) {
          return rip_pixel_filter(images.rip, pixel.lookup, cost);
-       }},
+       },
+       Form::kRip},
   };
   add_vertex_based(all);
   all.push_back({"texram",
@@ -148,7 +154,8 @@ std::vector<Filter> make_filters() {
                  {},
                  [](const Images& images, const Pixel& pixel, Cost& cost) {
                    return feline_circles_filter(images.box, kExact, pixel.lookup, cost);
-                 }});
+                 },
+                 Form::kBox});
   all.push_back(ewa_row("ewa", "every texel inside the ellipse, mip-mapped", EwaParameters{}));
   all.push_back(ewa_row("ewa_level0", "every texel of level 0 inside the ellipse", EwaParameters{false, 0}));
   return all;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
@@ -21,6 +22,9 @@ struct Images {
   RipMap rip;      // by Lanczos, each direction on its own
 };
 
+// One of them.
+enum class Form : std::uint8_t { kLanczos, kBox, kRip };
+
 // What a filter is told of a pixel: the lookup, and what rasterising the surface's mesh adds to it.
 struct Pixel {
   Lookup lookup;
@@ -35,6 +39,7 @@ struct Filter {
   std::string_view source;                // paper and section
   std::optional<AxisSystem> axis_system;  // which axes it wants in Pixel::axes
   std::function<Colour(const Images& images, const Pixel& pixel, Cost& cost)> run;
+  Form form = Form::kLanczos;  // the only one that it reads
 };
 
 // All of them, from the plainest to EWA.

@@ -18,6 +18,16 @@ struct Cost {
     cycles += more_cycles;
     stamp_cycles += more_cycles;
   }
+  Cost& operator+=(const Cost& other) {
+    probes += other.probes;
+    texels += other.texels;
+    cycles += other.cycles;
+    stamp_cycles += other.stamp_cycles;
+    return *this;
+  }
+  friend Cost operator*(double factor, const Cost& cost) {
+    return {factor * cost.probes, factor * cost.texels, factor * cost.cycles, factor * cost.stamp_cycles};
+  }
 };
 
 // s and t are normalized coordinates; each function reads one image.

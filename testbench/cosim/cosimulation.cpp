@@ -15,8 +15,8 @@ Cosimulation::Cosimulation(const RtlFactory& factory, const Timing& timing)
     : timing_(timing), unit_(factory(timing.seed)) {
   if (unit_->fingerprint() != fingerprint<kUnit>()) {
     throw std::runtime_error(
-        fmt::format("stale build: the RTL's fingerprint is {:016x}, the model's is {:016x}; "
-                    "run ./testbench/generate and build again",
+        fmt::format("stale build: the RTL's fingerprint is {:016x}, the model's is {:016x}; run ./testbench/generate "
+                    "and build again",
                     unit_->fingerprint(), fingerprint<kUnit>()));
   }
 }
@@ -106,9 +106,9 @@ bool Cosimulation::run(const Batch& batch, const PixelSink& sink) {
   reset(batch);
   const std::uint64_t part = derived_seed(timing_.seed, batches_);
   MemoryModel memory(*batch.memory, timing_.memory_latency, timing_.stalls, derived_seed(part, 1));
-  Random request_stalls(derived_seed(part, 2));
-  Random pixel_stalls(derived_seed(part, 3));
-  const auto stalls = [&](Random& random) { return timing_.stalls != 0 && random.chance(timing_.stalls); };
+  SplitMix64 request_stalls(derived_seed(part, 2));
+  SplitMix64 pixel_stalls(derived_seed(part, 3));
+  const auto stalls = [&](SplitMix64& random) { return timing_.stalls != 0 && random.chance(timing_.stalls); };
 
   std::array<std::uint32_t, beat_words<RequestBeat<kUnit>>()> request{};
   std::size_t offered = 0;

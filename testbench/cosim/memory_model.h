@@ -36,7 +36,7 @@ class MemoryModel {
   const TextureMemory& memory_;
   int latency_;
   double stall_;
-  Random random_;
+  SplitMix64 random_;
   std::deque<Waiting> waiting_;
   bool request_ready_ = false;
   bool response_valid_ = false;

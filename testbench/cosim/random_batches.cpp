@@ -13,7 +13,7 @@ namespace {
 float from_bits(std::uint32_t bits) { return std::bit_cast<float>(bits); }
 
 // Every class of float32, each as likely as the others.
-float any_class(Random& random) {
+float any_class(SplitMix64& random) {
   const std::uint32_t sign = random.below(2) << 31;
   const std::uint32_t fraction = random.below(1u << 23);
   switch (random.below(10)) {
@@ -30,15 +30,15 @@ float any_class(Random& random) {
   }
 }
 
-float signed_unit(Random& random) { return static_cast<float>(2 * random.unit() - 1); }
+float signed_unit(SplitMix64& random) { return static_cast<float>(2 * random.unit() - 1); }
 
 // 2^k, k uniform in low .. high.
-float octave(Random& random, int low, int high) {
+float octave(SplitMix64& random, int low, int high) {
   return std::ldexp(1.0F + static_cast<float>(random.unit()),
                     low + static_cast<int>(random.below(static_cast<std::uint32_t>(high - low))));
 }
 
-Lookup tame(Random& random, int width, int height) {
+Lookup tame(SplitMix64& random, int width, int height) {
   const float size = octave(random, -3, 8);
   const float ratio = octave(random, -6, 1);
   Lookup lookup;
@@ -65,20 +65,20 @@ Lookup tame(Random& random, int width, int height) {
   return lookup;
 }
 
-Lookup wild(Random& random) {
+Lookup wild(SplitMix64& random) {
   return {any_class(random), any_class(random), any_class(random),
           any_class(random), any_class(random), any_class(random)};
 }
 
 // Tame, but for one operand.
-Lookup directed(Random& random, int width, int height) {
+Lookup directed(SplitMix64& random, int width, int height) {
   Lookup lookup = tame(random, width, height);
   float* const operands[] = {&lookup.s, &lookup.t, &lookup.dsdx, &lookup.dtdx, &lookup.dsdy, &lookup.dtdy};
   *operands[random.below(6)] = any_class(random);
   return lookup;
 }
 
-int random_side(Random& random) {
+int random_side(SplitMix64& random) {
   switch (random.below(4)) {
     case 0: return 1 << random.below(7);
     case 1: return 1 + static_cast<int>(random.below(5));
@@ -86,7 +86,7 @@ int random_side(Random& random) {
   }
 }
 
-Texture random_texture(Random& random) {
+Texture random_texture(SplitMix64& random) {
   constexpr int kLargest = 1 << kUnit.max_size_log2;
   Texture texture;
   texture.format = static_cast<TexelFormat>(random.below(3));
@@ -121,11 +121,11 @@ Texture random_texture(Random& random) {
 }
 
 template <typename T>
-T pick(Random& random, const std::vector<T>& from) {
+T pick(SplitMix64& random, const std::vector<T>& from) {
   return from[random.below(static_cast<std::uint32_t>(from.size()))];
 }
 
-SamplerOptions random_sampler(Random& random, const RandomBatches::Choices& choices) {
+SamplerOptions random_sampler(SplitMix64& random, const RandomBatches::Choices& choices) {
   constexpr Format kFactor = Formats<kUnit>::kFactor;
   constexpr double kLeastLength = kFactor.value(Formats<kUnit>::kLeastLengthFactor);
   SamplerOptions options;
@@ -157,7 +157,7 @@ SamplerOptions random_sampler(Random& random, const RandomBatches::Choices& choi
 }  // namespace
 
 Batch RandomBatches::make(std::uint64_t number, std::uint64_t lookups) {
-  Random random(derived_seed(seed_, number));
+  SplitMix64 random(derived_seed(seed_, number));
   texture_ = random_texture(random);
   options_ = random_sampler(random, choices_);
   memory_ = layout_texture(texture_);

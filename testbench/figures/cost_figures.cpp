@@ -50,13 +50,10 @@ FigureOutput make_costs(const FigureOptions& /*options*/) {
   const std::string caption = fmt::format(
       "After WRL 99/1, figure 35. A plane seen by a camera with a field of view of 4.8 degrees, at 0 degrees along its "
       "normal; means over viewing distances, evenly spread on a logarithmic scale over the octave after which mip "
-      "levels "
-      "repeat, and over turns of the texture. A probe takes one cycle. Optimistic EWA reads eight texels of the "
-      "ellipse "
-      "in each cycle but the last; Realistic EWA a stamp of 4 x 2 or 2 x 4 texels, of which {:.1f} lie outside the "
-      "ellipse at 0 degrees and {:.1f} at {} degrees. EWA widens ellipses more than 16 times as long as wide; probes "
-      "are "
-      "limited to 16.",
+      "levels repeat, and over turns of the texture. A probe takes one cycle. Optimistic EWA reads eight texels of the "
+      "ellipse in each cycle but the last; Realistic EWA a stamp of 4 x 2 or 2 x 4 texels, of which {:.1f} lie outside "
+      "the ellipse at 0 degrees and {:.1f} at {} degrees. EWA widens ellipses more than 16 times as long as wide; "
+      "probes are limited to 16.",
       first.stamp_texels_outside(), last.stamp_texels_outside(), kLastAngle);
   return {page::to_svg({plot.title, {{page::svg(plot), "", ""}}, 1, plot.width, plot.height, caption}),
           {{"stamp_texels_outside_near_circles", first.stamp_texels_outside()},

@@ -57,8 +57,8 @@ std::string draw_pattern(const Domain& domain, const ProbePattern& pattern) {
   for (std::size_t i = 0; i < pattern.probes.size(); ++i) {
     const Vector2<double> at = pattern.probes[i].u * axes.x + pattern.probes[i].v * axes.y;
     svg += fmt::format(
-        "<circle cx=\"{:.3f}\" cy=\"{:.3f}\" r=\"{:.3f}\" fill=\"#667\" fill-opacity=\"{:.3f}\" "
-        "stroke=\"#667\" stroke-width=\"0.03\"/>",
+        "<circle cx=\"{:.3f}\" cy=\"{:.3f}\" r=\"{:.3f}\" fill=\"#667\" fill-opacity=\"{:.3f}\" stroke=\"#667\" "
+        "stroke-width=\"0.03\"/>",
         at.u, -at.v, pattern.spacing * longer_gradient(domain) / 2, 0.65 * pattern.weights[i] / heaviest);
   }
   const auto arrow = [&](const Vector2<double>& axis, std::string_view colour) {
@@ -120,10 +120,9 @@ FigureOutput make_patterns(const FigureOptions& options) {
   }
   sheet.caption =
       "After Olano, Mukherjee and Dorbie 2001, figure 4 and table 2: the footprint of Feline's figure 4 in black, "
-      "probes "
-      "in grey, as dark as they weigh, drawn half as wide as they are; axis 1 in red, axis 2 in blue. The same ellipse "
-      "with the screen turned by 45 degrees, on the right, has gradients of equal length, and Max is Screen there. "
-      "Distance: the part of the weight that is at other places than in an affine Gaussian on the ellipse.";
+      "probes in grey, as dark as they weigh, drawn half as wide as they are; axis 1 in red, axis 2 in blue. The same "
+      "ellipse with the screen turned by 45 degrees, on the right, has gradients of equal length, and Max is Screen "
+      "there. Distance: the part of the weight that is at other places than in an affine Gaussian on the ellipse.";
   return {page::to_svg(sheet), {{"patterns", patterns}}};
 }
 

@@ -145,8 +145,7 @@ FigureOutput make_shape(const ShapeFigure& figure) {
   std::string caption = fmt::format(
       "After WRL 99/1, figure {}: {}. The weight of each texel by its place around the lookup: the filter's impulse "
       "response, mip levels by a Lanczos filter, mean over all places of a texel in their grids; volume {:.3f}, "
-      "highest "
-      "{:.3f}, lowest {:.3f}.",
+      "highest {:.3f}, lowest {:.3f}.",
       figure.number, probe_text(planned), shape.volume(), shape.highest(), to_thousandths(shape.lowest()));
   if (detail) {
     const double circle = std::sqrt(2);
@@ -159,8 +158,7 @@ FigureOutput make_shape(const ShapeFigure& figure) {
   facts["distance_over_octave"] = distances_over_octave(figure.number);
   caption += fmt::format(
       " Part of the weight at other places than in figure 4 (total variation distance): {:.3f}; over an octave of "
-      "sizes "
-      "{:.3f} on the mean.",
+      "sizes {:.3f} on the mean.",
       facts["distance"].get<double>(), facts["distance_over_octave"]["mean"].get<double>());
   return {draw(name, figure.title, shape, frame, kPaperGradients, caption), facts};
 }

@@ -59,10 +59,9 @@ FigureOutput make_figure_1(const FigureOptions& options) {
   variants.push_back({"Mip-mapped EWA", "ewa", {}});
   return make_pictures("runway", "A runway with mip mapping and vertex-based anisotropic texturing",
                        "After Olano, Mukherjee and Dorbie 2001, figure 1, and EWA beside it: mip mapping, and two, "
-                       "four and eight samples "
-                       "along the longer gradient (the Max system), computed at vertices. The error is the root mean "
-                       "square difference, channels of 0 to "
-                       "1, from a Gaussian pixel filter projected point by point.",
+                       "four and eight samples along the longer gradient (the Max system), computed at vertices. The "
+                       "error is the root mean square difference, channels of 0 to 1, from a Gaussian pixel filter "
+                       "projected point by point.",
                        variants, options.size);
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "testbench/measure/detail.h"
+#include "testbench/measure/perception.h"
 #include "testbench/page/html.h"
 
 namespace feline {
@@ -20,7 +21,10 @@ CellErrors pool(const std::vector<Rendering>& renderings, const std::vector<Trut
   for (std::size_t i = 0; i < renderings.size(); ++i) {
     const Errors errors = compare(renderings[i].picture, truths[i].*truth, channels);
     const double mean = pooled.errors.mean_square + errors.mean_square / frames;
-    if (i == 0 || errors.worst > pooled.errors.worst) pooled.errors = errors;
+    if (i == 0 || errors.worst > pooled.errors.worst) {
+      pooled.errors = errors;
+      pooled.worst_frame = static_cast<int>(i);
+    }
     pooled.errors.mean_square = mean;
     if (i == 0) continue;
     pooled.shimmer =
@@ -35,15 +39,10 @@ void add_pixel_means(Cell& cell, const std::vector<Rendering>& renderings) {
   double pixels = 0;
   for (const Rendering& rendering : renderings) {
     cell.nanoseconds += rendering.nanoseconds / static_cast<double>(renderings.size());
-    cell.cost.probes += rendering.cost.probes;
-    cell.cost.texels += rendering.cost.texels;
-    cell.cost.cycles += rendering.cost.cycles;
-    cell.cost.stamp_cycles += rendering.cost.stamp_cycles;
+    cell.cost += rendering.cost;
     pixels += static_cast<double>(rendering.picture.pixels.size());
   }
-  for (double* const value : {&cell.cost.probes, &cell.cost.texels, &cell.cost.cycles, &cell.cost.stamp_cycles}) {
-    *value /= pixels;
-  }
+  cell.cost = 1 / pixels * cell.cost;
 }
 
 // The probes' kernel changes no cycle, so that one measurement serves both.
@@ -59,13 +58,15 @@ nlohmann::ordered_json to_json(const CellErrors& errors) {
   nlohmann::ordered_json json{{"mean_square", errors.errors.mean_square},
                               {"worst", errors.errors.worst},
                               {"worst_column", errors.errors.worst_column},
-                              {"worst_row", errors.errors.worst_row}};
+                              {"worst_row", errors.errors.worst_row},
+                              {"worst_frame", errors.worst_frame}};
   if (errors.shimmer) json["shimmer"] = *errors.shimmer;
   return json;
 }
 
 CellErrors errors_from_json(const nlohmann::ordered_json& json) {
   CellErrors errors{{json.at("mean_square"), json.at("worst"), json.at("worst_column"), json.at("worst_row")},
+                    json.at("worst_frame"),
                     std::nullopt};
   if (json.contains("shimmer")) errors.shimmer = json.at("shimmer").get<double>();
   return errors;
@@ -88,8 +89,8 @@ Cell measure_cell(const Contestant& contestant, const Exhibit& exhibit, const st
   }
   const FloatPicture& picture = renderings.front().picture;
   const FloatPicture& truth = truths.front().gaussian;
-  cell.visible = visible_difference(crop(picture, focus.quarter), crop(truth, focus.quarter), picture.width,
-                                    exhibit.srgb(), exhibit.channels());
+  cell.butteraugli =
+      perceptual_distance(crop(picture, focus.quarter), crop(truth, focus.quarter), exhibit.srgb(), exhibit.channels());
   cell.detail_png = page::base64(detail_png(picture, focus.detail, exhibit.srgb(), exhibit.channels()));
   cell.difference_png = page::base64(detail_png(difference(picture, truth, kDifferenceGain), focus.detail, false, 3));
   if (std::ranges::any_of(renderings.front().probes, [](float probes) { return probes > 1; })) {
@@ -103,7 +104,7 @@ nlohmann::ordered_json to_json(const Cell& cell) {
                               {"contestant", cell.contestant},
                               {"gaussian", to_json(cell.gaussian)},
                               {"box", to_json(cell.box)},
-                              {"visible", cell.visible},
+                              {"butteraugli", cell.butteraugli},
                               {"nanoseconds", cell.nanoseconds},
                               {"probes", cell.cost.probes},
                               {"texels", cell.cost.texels},
@@ -122,7 +123,7 @@ Cell cell_from_json(const nlohmann::ordered_json& json) {
   cell.contestant = json.at("contestant");
   cell.gaussian = errors_from_json(json.at("gaussian"));
   cell.box = errors_from_json(json.at("box"));
-  cell.visible = json.at("visible");
+  cell.butteraugli = json.at("butteraugli");
   cell.nanoseconds = json.at("nanoseconds");
   cell.cost = {json.at("probes"), json.at("texels"), json.at("cycles"), json.at("stamp_cycles")};
   if (json.contains("rtl_cycles")) cell.rtl_cycles = json.at("rtl_cycles").get<double>();

@@ -15,6 +15,7 @@ namespace feline {
 // Against one truth; means are over all frames.
 struct CellErrors {
   Errors errors;
+  int worst_frame = 0;            // of a sequence: that of the worst error
   std::optional<double> shimmer;  // mean square, of a sequence
 };
 
@@ -24,7 +25,7 @@ struct Cell {
   std::string contestant;
   CellErrors gaussian;
   CellErrors box;
-  double visible = 0;  // visible_difference from the Gaussian truth, in the part that is looked at closely
+  double butteraugli = 0;  // perceptual_distance from the Gaussian truth, in the part that is looked at closely
   double nanoseconds = 0;
   reference::Cost cost;
   std::optional<double> rtl_cycles;

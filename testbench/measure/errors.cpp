@@ -4,9 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
-
-#include "testbench/measure/yee.h"
 
 namespace feline {
 namespace {
@@ -24,21 +21,6 @@ void for_inner_pixels(const FloatPicture& picture, Visit visit) {
 }
 
 int colours(int channels) { return std::min(channels, 3); }
-
-// A single channel is grey.
-Displayed displayed(const FloatPicture& picture, bool srgb, int channels) {
-  Displayed result{picture.width, picture.height, {}};
-  result.pixels.reserve(picture.pixels.size());
-  for (const auto& pixel : picture.pixels) {
-    std::array<double, 3> light{};
-    for (std::size_t c = 0; c < 3; ++c) {
-      const double value = std::clamp(static_cast<double>(pixel[channels == 1 ? 0 : c]), 0.0, 1.0);
-      light[c] = srgb ? value : value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-    }
-    result.pixels.push_back(light);
-  }
-  return result;
-}
 
 }  // namespace
 
@@ -82,14 +64,6 @@ double temporal_mean_square(const FloatPicture& before, const FloatPicture& trut
     }
   });
   return sum / values;
-}
-
-double visible_difference(const FloatPicture& picture, const FloatPicture& truth, int whole_width, bool srgb,
-                          int channels) {
-  const double degrees = 2 * std::tan(std::numbers::pi / 8) * 180 / std::numbers::pi;  // of a flat picture 45 wide
-  const std::int64_t seen = count_visible(displayed(picture, srgb, channels), displayed(truth, srgb, channels),
-                                          static_cast<double>(whole_width) / degrees);
-  return static_cast<double>(seen) / static_cast<double>(picture.pixels.size());
 }
 
 }  // namespace feline

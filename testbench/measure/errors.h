@@ -22,12 +22,6 @@ Errors compare(const FloatPicture& picture, const FloatPicture& truth, int chann
 double temporal_mean_square(const FloatPicture& before, const FloatPicture& truth_before, const FloatPicture& after,
                             const FloatPicture& truth_after, int channels);
 
-// The part of the pixels, 0 to 1, that a viewer would see as different, by Yee's perceptual metric (yee.h): 45 degrees
-// of view for the whole width of which the pictures may be a part. `srgb`: the pictures are in linear light; otherwise
-// their values are shown as sRGB codes.
-double visible_difference(const FloatPicture& picture, const FloatPicture& truth, int whole_width, bool srgb,
-                          int channels);
-
 double psnr_of(double mean_square);
 
 }  // namespace feline

@@ -6,17 +6,14 @@
 #include <span>
 
 #include "testbench/image.h"
+#include "testbench/srgb.h"
 
 namespace feline {
 namespace {
 
-double encode_srgb(double linear) {
-  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-}
-
 std::uint8_t to_code(float value, bool srgb) {
   const double clamped = std::clamp(static_cast<double>(value), 0.0, 1.0);
-  return static_cast<std::uint8_t>(std::floor(255 * (srgb ? encode_srgb(clamped) : clamped) + 0.5));
+  return static_cast<std::uint8_t>(std::floor(255 * (srgb ? linear_to_srgb(clamped) : clamped) + 0.5));
 }
 
 }  // namespace

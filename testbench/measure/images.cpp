@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "testbench/measure/images.h"
 
+#include <algorithm>
 #include <array>
-#include <cmath>
+
+#include "testbench/srgb.h"
 
 namespace feline {
 namespace {
@@ -11,8 +13,7 @@ std::array<float, 256> decoded_codes(bool srgb) {
   std::array<float, 256> codes{};
   for (std::size_t code = 0; code < codes.size(); ++code) {
     const double encoded = static_cast<double>(code) / 255;
-    const double linear = encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-    codes[code] = static_cast<float>(srgb ? linear : encoded);
+    codes[code] = static_cast<float>(srgb ? srgb_to_linear(encoded) : encoded);
   }
   return codes;
 }
@@ -42,18 +43,24 @@ reference::MipMap to_reference(const Texture& texture, const reference::Wrapping
   return map;
 }
 
-reference::Images make_images(const Texture& texture, const reference::Wrapping& wrapping, MipEdge edge) {
+reference::Images make_images(const Texture& texture, const reference::Wrapping& wrapping, MipEdge edge,
+                              std::span<const reference::Form> wanted) {
+  const auto wants = [&](reference::Form form) { return std::ranges::find(wanted, form) != wanted.end(); };
   const int channels = bytes_per_texel(texture.format);
   const MipLevel& base = texture.levels.front();
   reference::Images images;
   images.lanczos = to_reference(texture, wrapping);
-  images.box = to_reference(
-      Texture{texture.format, texture.srgb, build_mip_chain(base, channels, MipFilter::kBox, texture.srgb, edge)},
-      wrapping);
-  const RipChain rip = build_rip_chain(base, channels, MipFilter::kLanczos, texture.srgb, edge);
-  images.rip = {rip.columns, rip.rows, {}, images.lanczos.wrapping};
-  for (const MipLevel& image : rip.images) {
-    images.rip.levels.push_back(to_reference(image, texture.format, texture.srgb));
+  if (wants(reference::Form::kBox)) {
+    images.box = to_reference(
+        Texture{texture.format, texture.srgb, build_mip_chain(base, channels, MipFilter::kBox, texture.srgb, edge)},
+        wrapping);
+  }
+  if (wants(reference::Form::kRip)) {
+    const RipChain rip = build_rip_chain(base, channels, MipFilter::kLanczos, texture.srgb, edge);
+    images.rip = {rip.columns, rip.rows, {}, images.lanczos.wrapping};
+    for (const MipLevel& image : rip.images) {
+      images.rip.levels.push_back(to_reference(image, texture.format, texture.srgb));
+    }
   }
   return images;
 }

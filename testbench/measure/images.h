@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <span>
+
 #include "model/reference/filters.h"
 #include "model/texture.h"
 #include "testbench/mip_chain.h"
@@ -12,7 +15,10 @@ namespace feline {
 reference::Level to_reference(const MipLevel& level, TexelFormat format, bool srgb);
 reference::MipMap to_reference(const Texture& texture, const reference::Wrapping& wrapping);
 
-// All forms of a texture. Lanczos levels are the texture's own; the others are made from its level 0.
-reference::Images make_images(const Texture& texture, const reference::Wrapping& wrapping, MipEdge edge);
+// The forms of a texture: Lanczos levels, always, which are the texture's own, and of the others, which are made from
+// its level 0, those that are wanted.
+inline constexpr std::array kAllForms{reference::Form::kLanczos, reference::Form::kBox, reference::Form::kRip};
+reference::Images make_images(const Texture& texture, const reference::Wrapping& wrapping, MipEdge edge,
+                              std::span<const reference::Form> wanted = kAllForms);
 
 }  // namespace feline

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "testbench/measure/oiio_texture.h"
 
-#include <OpenImageIO/imagebufalgo.h>
+#include <OpenImageIO/imageio.h>
 #include <OpenImageIO/texture.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <filesystem>
+#include <memory>
 #include <stdexcept>
 
 #include "testbench/measure/render_rows.h"
@@ -17,20 +18,25 @@ namespace {
 // A tiled, mip-mapped file, which is what OpenImageIO textures from; gone when this is.
 class TextureFile {
  public:
-  explicit TextureFile(const reference::Level& level) {
+  explicit TextureFile(const reference::MipMap& map) {
     std::string pattern = (std::filesystem::temp_directory_path() / "feline-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr)
+    if (mkdtemp(pattern.data()) == nullptr) {
       throw std::runtime_error(fmt::format("{}: no temporary directory", pattern));
-    directory_ = pattern;
-    const OIIO::ImageSpec spec(level.width, level.height, 4, OIIO::TypeDesc::FLOAT);
-    // OpenImageIO takes no constant texels, and does not change them.
-    const OIIO::ImageBuf base(spec, const_cast<reference::Texel*>(level.texels.data()));
-    OIIO::ImageSpec config;
-    config.attribute("maketx:filtername", "lanczos3");
-    config.attribute("maketx:wrap", "periodic");
-    if (!OIIO::ImageBufAlgo::make_texture(OIIO::ImageBufAlgo::MakeTxTexture, base, path(), config)) {
-      throw std::runtime_error(fmt::format("{}: {}", path(), OIIO::geterror()));
     }
+    directory_ = pattern;
+    const std::unique_ptr<OIIO::ImageOutput> file = OIIO::ImageOutput::create("exr");
+    for (std::size_t k = 0; file != nullptr && k < map.levels.size(); ++k) {
+      const reference::Level& level = map.levels[k];
+      OIIO::ImageSpec spec(level.width, level.height, 4, OIIO::TypeDesc::FLOAT);
+      spec.tile_width = spec.tile_height = kTile;
+      spec.attribute("textureformat", "Plain Texture");
+      spec.attribute("compression", "none");
+      const auto mode = k == 0 ? OIIO::ImageOutput::Create : OIIO::ImageOutput::AppendMIPLevel;
+      if (!file->open(path(), spec, mode) || !file->write_image(OIIO::TypeDesc::FLOAT, level.texels.data())) {
+        throw std::runtime_error(fmt::format("{}: {}", path(), file->geterror()));
+      }
+    }
+    if (file == nullptr || !file->close()) throw std::runtime_error(fmt::format("{}: {}", path(), OIIO::geterror()));
   }
   TextureFile(const TextureFile&) = delete;
   TextureFile& operator=(const TextureFile&) = delete;
@@ -38,9 +44,10 @@ class TextureFile {
     std::error_code ignored;
     std::filesystem::remove_all(directory_, ignored);
   }
-  std::string path() const { return (directory_ / "texture.tx").string(); }
+  std::string path() const { return (directory_ / "texture.exr").string(); }
 
  private:
+  static constexpr int kTile = 64;
   std::filesystem::path directory_;
 };
 
@@ -56,10 +63,11 @@ OIIO::TextureOpt::Wrap to_oiio(Wrap wrap) {
 
 Rendering render_oiio(const View& view, Progress* progress) {
   const reference::MipMap& map = view.surface->images.lanczos;
-  const TextureFile file(map.base());
-  const std::shared_ptr<OIIO::TextureSystem> system(
-      OIIO::TextureSystem::create(false), [](OIIO::TextureSystem* made) { OIIO::TextureSystem::destroy(made); });
+  const TextureFile file(map);
+  // The shared one, as OpenImageIO 2.4 gives back its memory of any other as if it were of another type.
+  OIIO::TextureSystem* const system = OIIO::TextureSystem::create(true);
   const OIIO::ustring name(file.path());
+  OIIO::TextureSystem::TextureHandle* const handle = system->get_texture_handle(name);
   OIIO::TextureOpt options;
   options.swrap = to_oiio(map.wrapping.s);
   options.twrap = to_oiio(map.wrapping.t);
@@ -71,7 +79,8 @@ Rendering render_oiio(const View& view, Progress* progress) {
     const Lookup& at = view.gbuffer.lookups[i];
     OIIO::TextureOpt own = options;
     std::array<float, 4> result{};
-    if (!system->texture(name, own, at.s, at.t, at.dsdx, at.dtdx, at.dsdy, at.dtdy, 4, result.data())) failed = true;
+    if (!system->texture(handle, nullptr, own, at.s, at.t, at.dsdx, at.dtdx, at.dsdy, at.dtdy, 4, result.data()))
+      failed = true;
     reference::Colour colour{};
     for (std::size_t c = 0; c < 4; ++c) colour[c] = double{result[c]};
     return colour;
@@ -79,6 +88,7 @@ Rendering render_oiio(const View& view, Progress* progress) {
   // The first pass reads the file's tiles, which is no pixel's time.
   render_rows(view, nullptr, look_up);
   Rendering rendering = render_rows(view, progress, look_up);
+  system->invalidate(name);
   if (failed) throw std::runtime_error(fmt::format("OpenImageIO: {}", system->geterror()));
   rendering.probes.clear();
   return rendering;

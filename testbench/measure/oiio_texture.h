@@ -5,7 +5,7 @@
 
 namespace feline {
 
-// OpenImageIO's own anisotropic texture(): bilinear probes, 16:1, mip levels by its lanczos3, all in float32. Neither
+// OpenImageIO's own anisotropic texture(): bilinear probes, 16:1, on the surface's own mip levels, in float32. Neither
 // probes nor texels are told.
 Contestant oiio_contestant();
 

@@ -43,10 +43,7 @@ Rendering render_rows(const View& view, Progress* progress, PixelOf pixel) {
     {
       const std::scoped_lock lock(mutex);
       nanoseconds += took;
-      rendering.cost.probes += cost.probes;
-      rendering.cost.texels += cost.texels;
-      rendering.cost.cycles += cost.cycles;
-      rendering.cost.stamp_cycles += cost.stamp_cycles;
+      rendering.cost += cost;
     }
     if (progress != nullptr) progress->advance(width);
   });

@@ -16,8 +16,9 @@ namespace feline {
 namespace {
 
 constexpr int kDetailSize = 96;
-// What pieces of work take beside a cell, for the progress bar.
-constexpr std::uint64_t kTruthWork = 20;
+// What pieces of work take, for the progress bar.
+constexpr std::uint64_t kTruthWork = 2000;
+constexpr std::uint64_t kCellWork = 100;
 
 nlohmann::ordered_json to_json(const Detail& detail) {
   return {{"left", detail.left}, {"top", detail.top}, {"size", detail.size}};
@@ -67,12 +68,16 @@ class Work {
   Work(const ExhibitPlan& plan, const SurveyOptions& options, const Cache& cache)
       : plan_(plan), cache_(cache), strata_(options.strata), seed_(options.seed) {}
 
-  TruthFacts truth() {
-    return through_cache<TruthFacts>("facts", facts_from_json, [&] { return make_facts(); });
+  TruthFacts truth(Progress* progress) {
+    return through_cache<TruthFacts>("facts", facts_from_json, [&] {
+      truths(progress);
+      return make_facts();
+    });
   }
   Cell cell(const Contestant& contestant) {
-    return through_cache<Cell>("cell " + contestant.name, cell_from_json,
-                               [&] { return measure_cell(contestant, exhibit(), truths(), truth().focus); });
+    return through_cache<Cell>("cell " + contestant.name, cell_from_json, [&] {
+      return measure_cell(contestant, exhibit(), truths(nullptr), truth(nullptr).focus);
+    });
   }
   Split split(const SplitNames& names) {
     return through_cache<Split>(fmt::format("split {}", names.kernel), split_from_json,
@@ -98,24 +103,24 @@ class Work {
     return *exhibit_;
   }
 
-  const std::vector<Truth>& truths() {
+  const std::vector<Truth>& truths(Progress* progress) {
     for (std::size_t i = truths_.size(); i < static_cast<std::size_t>(plan_.frame_count); ++i) {
       const std::string key = cache_key(fmt::format("truth {}", i));
       if (const auto stored = cache_.read(key)) {
         truths_.push_back(truth_from_bytes(*stored));
         continue;
       }
-      truths_.push_back(compute_truth(exhibit().frames[i], strata_, seed_ + i, nullptr));
+      truths_.push_back(compute_truth(exhibit().frames[i], strata_, seed_ + i, progress));
       cache_.write(key, to_bytes(truths_.back()));
     }
     return truths_;
   }
 
   TruthFacts make_facts() {
-    const Truth& first = truths().front();
+    const Truth& first = truths(nullptr).front();
     const FloatPicture trilinear = find_contestant("trilinear")->render(exhibit().frames.front(), nullptr).picture;
     TruthFacts facts;
-    for (const Truth& frame : truths()) {
+    for (const Truth& frame : truths(nullptr)) {
       facts.gaussian_error = std::max(facts.gaussian_error, frame.gaussian_error);
       facts.box_error = std::max(facts.box_error, frame.box_error);
     }
@@ -141,7 +146,7 @@ class Work {
     const FloatPicture ideal = picture(names.ideal);
     const FloatPicture table = picture(names.table);
     const int channels = exhibit().channels();
-    return {std::string(names.kernel), compare(ideal, truths().front().gaussian, channels).mean_square,
+    return {std::string(names.kernel), compare(ideal, truths(nullptr).front().gaussian, channels).mean_square,
             compare(table, ideal, channels).mean_square, compare(picture(names.unit), table, channels).mean_square};
   }
 
@@ -166,30 +171,35 @@ class Clock {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+std::uint64_t pixel_count(const ExhibitPlan& plan) {
+  return static_cast<std::uint64_t>(plan.width) * static_cast<std::uint64_t>(plan.height) *
+         static_cast<std::uint64_t>(plan.frame_count);
+}
+
 }  // namespace
 
 Survey run_survey(const SurveyOptions& options, const Cache& cache) {
   const Clock clock(options.budget);
   const std::uint64_t pieces = options.contestants.size() + kSplits.size();
-  Progress progress("measuring", options.exhibits.size() * (kTruthWork + pieces));
+  Progress progress("measuring", options.exhibits.size() * (kTruthWork + pieces * kCellWork));
   Survey survey;
   for (const ExhibitPlan& plan : options.exhibits) {
     ExhibitResult result{plan, std::nullopt, {}, {}};
     Work work(plan, options, cache);
-    const auto piece = [&](std::uint64_t amount, const auto& measure) {
+    const auto piece = [&](std::uint64_t share, std::uint64_t total, const auto& measure) {
+      Progress part(progress, share, total);
       if (clock.over()) {
         ++survey.missing;
       } else {
-        measure();
+        measure(part);
       }
-      progress.advance(amount);
     };
-    piece(kTruthWork, [&] { result.truth = work.truth(); });
+    piece(kTruthWork, pixel_count(plan), [&](Progress& part) { result.truth = work.truth(&part); });
     for (const Contestant* const contestant : options.contestants) {
-      piece(1, [&] { result.cells.push_back(work.cell(*contestant)); });
+      piece(kCellWork, 1, [&](Progress&) { result.cells.push_back(work.cell(*contestant)); });
     }
     for (const SplitNames& names : kSplits) {
-      piece(1, [&] { result.splits.push_back(work.split(names)); });
+      piece(kCellWork, 1, [&](Progress&) { result.splits.push_back(work.split(names)); });
     }
     survey.results.push_back(std::move(result));
   }

@@ -98,7 +98,7 @@ class Stripe {
 
 // A point in each cell of a square of `cells` x `cells`, at its coordinates in 0 .. 1.
 template <typename Visit>
-void stratify(int cells, Random& random, Visit visit) {
+void stratify(int cells, SplitMix64& random, Visit visit) {
   for (int j = 0; j < cells; ++j) {
     for (int i = 0; i < cells; ++i) {
       const double x = (i + random.unit()) / cells;
@@ -149,8 +149,9 @@ Truth compute_truth(const reference::MipMap& map, const PictureProjection& proje
     const int to = first_row + rows == height ? height + 1 : first_row + rows;
     for (int row = from; row < to; ++row) {
       for (int column = -1; column <= width; ++column) {
-        Random random(derived_seed(seed, static_cast<std::uint64_t>(row + 1) * (static_cast<std::uint64_t>(width) + 2) +
-                                             static_cast<std::uint64_t>(column + 1)));
+        SplitMix64 random(
+            derived_seed(seed, static_cast<std::uint64_t>(row + 1) * (static_cast<std::uint64_t>(width) + 2) +
+                                   static_cast<std::uint64_t>(column + 1)));
         for (std::size_t half = 0; half < kHalves; ++half) {
           stratify(strata, random, [&](double fx, double fy) {
             const reference::Vector2<double> at = projection(column + fx, row + fy);
@@ -178,7 +179,7 @@ Truth compute_truth(const reference::MipMap& map, const GBuffer& gbuffer, int st
       const auto pixel =
           static_cast<std::size_t>(row) * static_cast<std::size_t>(gbuffer.width) + static_cast<std::size_t>(column);
       const Lookup& lookup = gbuffer.lookups[pixel];
-      Random random(derived_seed(seed, pixel));
+      SplitMix64 random(derived_seed(seed, pixel));
       for (std::size_t half = 0; half < kHalves; ++half) {
         stratify(2 * even, random, [&](double fx, double fy) {
           const double x = 2 * fx - 1;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "testbench/measure/images.h"
 #include "testbench/scenes/mesh.h"
 
 namespace feline {
@@ -52,9 +51,10 @@ std::vector<reference::Pixel> plain_pixels(const GBuffer& gbuffer) {
 
 }  // namespace
 
-Surface make_surface(Texture texture, const reference::Wrapping& wrapping, MipEdge edge) {
+Surface make_surface(Texture texture, const reference::Wrapping& wrapping, MipEdge edge,
+                     std::span<const reference::Form> wanted) {
   Surface surface;
-  surface.images = make_images(texture, wrapping, edge);
+  surface.images = make_images(texture, wrapping, edge, wanted);
   surface.memory = layout_texture(texture);
   surface.texture = std::move(texture);
   return surface;

@@ -7,6 +7,7 @@
 #include "model/memory.h"
 #include "model/reference/filters.h"
 #include "testbench/gbuffer.h"
+#include "testbench/measure/images.h"
 #include "testbench/measure/truth.h"
 #include "testbench/mip_chain.h"
 #include "testbench/scenes/mesh.h"
@@ -14,13 +15,14 @@
 
 namespace feline {
 
-// A texture that is looked at, in every form that something wants it in.
+// A texture that is looked at, in the forms that something wants it in.
 struct Surface {
   Texture texture;  // Lanczos mip levels
   TextureMemory memory;
   reference::Images images;
 };
-Surface make_surface(Texture texture, const reference::Wrapping& wrapping, MipEdge edge);
+Surface make_surface(Texture texture, const reference::Wrapping& wrapping, MipEdge edge,
+                     std::span<const reference::Form> wanted = kAllForms);
 
 // One picture to be made of it.
 struct View {

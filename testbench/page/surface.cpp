@@ -55,8 +55,8 @@ std::string script(const SurfacePlot& plot) {
       "set size 0.4,0.98\nset origin 0.6,0\nset size ratio -1\nset xtics 2 nomirror offset 0,0\n"
       "set ytics 2 nomirror offset 0,0\nset xlabel {} offset 0,0\nset ylabel {} offset 0,0\nset border 3\n"
       "set grid lc rgb '#a0808080'\n"
-      "plot $outline using 1:2 with lines lc rgb '#d55e00' lw 1.5 dt 2, "
-      "$contours using 1:2 with lines lc rgb '#0072b2' lw 0.8\nunset multiplot\n",
+      "plot $outline using 1:2 with lines lc rgb '#d55e00' lw 1.5 dt 2, $contours using 1:2 with lines lc rgb "
+      "'#0072b2' lw 0.8\nunset multiplot\n",
       quoted(plot.x_label), quoted(plot.y_label));
   return text;
 }

@@ -8,8 +8,10 @@
 #include "testbench/error.h"
 #include "testbench/figures/figure.h"
 #include "testbench/image.h"
+#include "testbench/page/gnuplot.h"
 #include "testbench/program/command_line.h"
 #include "testbench/program/commands.h"
+#include "testbench/progress.h"
 
 namespace feline {
 namespace {
@@ -59,6 +61,8 @@ int run_figure(const FigureCommand& command) {
   if (command.name.empty()) bad_input("command line", "figure", "no name", "one of feline figure --list, or all");
   const std::vector<Target> targets = choose_targets(command);
   for (const auto& [figure, path] : targets) check_writable(path);
+  page::check_gnuplot();
+  Progress progress("drawing", targets.size());
   OutputFiles outputs;
   nlohmann::ordered_json all;
   for (const auto& [figure, path] : targets) {
@@ -67,6 +71,7 @@ int run_figure(const FigureCommand& command) {
     nlohmann::ordered_json entry{{"figure", figure->name}, {"file", path.string()}};
     entry.update(made.facts);
     all.push_back(std::move(entry));
+    progress.advance(1);
   }
   outputs.commit();
   if (command.json) {

@@ -83,6 +83,9 @@ int run_filter(const RenderOptions& options) {
   if (contestant == nullptr || contestant->kind == Contestant::Kind::kUnit) {
     bad_input("command line", "--filter", options.filter, "one of " + filter_names());
   }
+  if (options.map && contestant->kind == Contestant::Kind::kLibrary) {
+    bad_input("command line", "--map", "given", "nothing with this filter, which tells no probes");
+  }
   options.sampler.check_filter();
   if (options.subject.allow_non_finite) {
     bad_input("command line", "--allow-non-finite", "given", "nothing together with --filter");
@@ -91,7 +94,8 @@ int run_filter(const RenderOptions& options) {
   Subject subject = options.subject.load(mip_edge(choice));
   reference::Wrapping wrapping{choice.wrap_s, choice.wrap_t, {}};
   for (std::size_t c = 0; c < 4; ++c) wrapping.border[c] = static_cast<float>(choice.border[c]);
-  const Surface surface = make_surface(std::move(subject.texture), wrapping, mip_edge(choice));
+  const Surface surface =
+      make_surface(std::move(subject.texture), wrapping, mip_edge(choice), std::span(&contestant->form, 1));
   const int width = subject.gbuffer.width;
   const int height = subject.gbuffer.height;
   const View view = options.subject.gbuffer.empty() ? make_view(find_scene(subject.name), surface, width, height)
@@ -103,7 +107,6 @@ int run_filter(const RenderOptions& options) {
   OutputFiles outputs;
   write_picture(outputs, path, rendering.picture, surface.texture.srgb);
   if (options.map) {
-    if (rendering.probes.empty()) bad_input("command line", "--map", "given", "nothing with this filter");
     written.push_back(beside(path, "probes"));
     outputs.write(written.back(), probes_png(rendering.probes, width, {0, 0, std::max(width, height)}));
   }

@@ -129,7 +129,7 @@ void add_report(CLI::App& program, int& exit_code) {
       ->capture_default_str();
   command->add_option("--cache", options->cache,
                       "directory of what is known already, so that a report goes on where it was stopped; cache in "
-                      "--output by default");
+                      "--output by default. What another build left there is of no use: remove it");
   command->add_option("--budget", options->budget, "seconds after which nothing new is begun")->check(number(0, 1e9));
   command->add_option("--seed", options->seed, "of the ground truth's samples")
       ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))

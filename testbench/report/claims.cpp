@@ -148,8 +148,7 @@ Claim table_on_ordinary(const Survey& survey) {
                   [](double ahead) { return std::abs(ahead) <= 0.3; });
   claim.reason =
       "The gradients of a turned texture lean on each other by up to 30 degrees, and Simple then takes the minor "
-      "radius "
-      "for too wide: Table is ahead wherever that happens, also on a plane. The eye hardly sees it.";
+      "radius for too wide: Table is ahead wherever that happens, also on a plane. The eye hardly sees it.";
   return claim;
 }
 
@@ -181,15 +180,12 @@ Claim as_ewa(const Survey& survey) {
   }
   claim.reason =
       "A 2 x 2 probe between two mip levels is a pyramid of up to four texels' width that moves with the texel grid. "
-      "The "
-      "line has its part: its weights are those of the whole ellipse, and the probes' own width comes on top; 16 "
-      "probes "
-      "reach a ratio of 8.5, where EWA's limit here is 16; and radii below a texel are clamped to one.";
+      "The line has its part: its weights are those of the whole ellipse, and the probes' own width comes on top; 16 "
+      "probes reach a ratio of 8.5, where EWA's limit here is 16; and radii below a texel are clamped to one.";
   if (helped == 0) return claim;
   claim.reason += fmt::format(
       " How large each part is: on {} of {} scenes circles of texels on the very same line, weighted as EWA weighs "
-      "them, "
-      "bring Feline from {:.1f} to {:.1f} dB behind; on the others the line's part is the larger.",
+      "them, bring Feline from {:.1f} to {:.1f} dB behind; on the others the line's part is the larger.",
       helped, pairs.size(), behind / helped, circles_behind / helped);
   return claim;
 }
@@ -208,11 +204,10 @@ Claim unit_as_double(const Survey& survey) {
   for (const std::string_view suffix : {"", "_gaussian"}) {
     const std::string unit = fmt::format("unit_table{}", suffix);
     for (const Pair& pair : pairs_of(claim, survey, {}, fmt::format("feline_table{}", suffix), unit)) {
-      const Errors& errors = pair.second->gaussian.errors;
       claim.measured.push_back(
-          fmt::format("{}, {}: {:+.3f} dB (Gaussian), {:+.3f} dB (box); worst pixel {:.3f} at ({}, {})",
+          fmt::format("{}, {}: {:+.3f} dB (Gaussian), {:+.3f} dB (box); worst pixel {:.3f} at {}",
                       pair.result->plan.name, unit, pair.ahead(), psnr_ahead(pair.second->box, pair.first->box),
-                      errors.worst, errors.worst_column, errors.worst_row));
+                      pair.second->gaussian.errors.worst, worst_pixel(pair.result->plan, pair.second->gaussian)));
       const UnitVerdict verdict = judge_unit(pair.result->plan, *pair.first, *pair.second);
       if (verdict != UnitVerdict::kNotJudged) judge(claim, verdict == UnitVerdict::kHolds);
     }

@@ -23,21 +23,20 @@ constexpr std::array<std::string_view, 12> kPrincipal{
 std::string introduction(const Survey& survey) {
   std::string html = page::paragraph(
       "What does each filter cost, and how wrong is it? Every filter of the papers in double precision, the "
-      "bit-accurate "
-      "8-bit unit in its modes, and OpenImageIO, on the same lookups.");
+      "bit-accurate 8-bit unit in its modes, and OpenImageIO, on the same lookups.");
   html += page::bullets(std::array<std::string, 6>{
       "Truth: the bilinear surface through level 0, sampled where each point of the pixel filter really projects. The "
       "Gaussian exp(-2 r^2) ends at a radius of one pixel; the box is one pixel wide. Errors are given against both, "
       "because the order of the filters turns with the truth.",
       "Errors: PSNR in decibels below full, root mean square (RMSE) and worst channel, in linear light, without the "
-      "outermost pixels. Seen: the share of pixels that Yee's perceptual metric finds different from the Gaussian "
-      "truth, "
-      "in the quarter of the picture where trilinear filtering fails most. Shimmer: RMS change of the error from one "
-      "frame of a sequence to the next.",
-      "Nanoseconds: processor time of one thread. The unit's are those of its C++ model, and say nothing of hardware.",
+      "outermost pixels. Butteraugli: libjxl's perceptual distance from the Gaussian truth (3-norm, 80 cd/m^2), of "
+      "which about 1 can just be seen, in the quarter of the picture where trilinear filtering fails most. Shimmer: "
+      "RMS change of the error from one frame of a sequence to the next.",
+      "Nanoseconds: processor time of one thread, in double precision and without vector instructions; EWA computes "
+      "its exponentials, of which a table of 128 would make it faster; interpolating the axes of vertex-based filters "
+      "is the rasteriser's and not counted. The unit's are those of its C++ model, and say nothing of hardware.",
       "Cycles and texels: of hardware that reads eight texels a cycle, a probe each (Feline, section 4), before any "
-      "cache. "
-      "EWA's are those of its realistic stamp; report.json has the optimistic count, too.",
+      "cache. EWA's are those of its realistic stamp; report.json has the optimistic count, too.",
       "RTL cycles: measured on the Verilated unit with its small blocking cache behind 20 cycles of latency, on one in "
       "16 rows, every beat compared with the model.",
       "Green figures lie on a Pareto front: nothing is both cheaper and nearer to one of the truths."});
@@ -73,16 +72,13 @@ std::string claims_section(const std::vector<Claim>& claims) {
   html += page::paragraph("Contradicted elsewhere, where no scene is needed (tests/model/reference):");
   html += page::bullets(std::array<std::string, 4>{
       "WRL 99/1, 2.3: Texram's line is shorter than the ellipse by nearly a factor of four. The limit is 2 sqrt(2) = "
-      "2.83: "
-      "the major radius is at most sqrt(|x|^2 + |y|^2) (texram_test).",
+      "2.83: the major radius is at most sqrt(|x|^2 + |y|^2) (texram_test).",
       "Olano 2001, table 2, Max: taken for each coordinate, as printed, gradients (a, 0), (0, b) collapse to (a, b), "
-      "(0, 0). "
-      "Here the longer and the shorter gradient are meant (vertex_based_test).",
+      "(0, 0). Here the longer and the shorter gradient are meant (vertex_based_test).",
       "Olano 2001, section 3: the square pattern is best. With exact axes at each pixel the staggered one is, and the "
       "line is better than the square; their judgement is of interpolated axes in motion (quality_test).",
       "WRL 99/1, figures 33 and 34: Simple takes two to four probes, Table up to 16. It depends on the scene: feline "
-      "figure "
-      "feline_33_34 shows two (figure_test)."});
+      "figure feline_33_34 shows two (figure_test)."});
   return html;
 }
 
@@ -115,7 +111,7 @@ std::string unit_section(const Survey& survey) {
                                                       : verdict == UnitVerdict::kBroken ? page::Tone::kBad
                                                                                         : page::Tone::kPlain});
         row.push_back({fmt::format("{:.3f}", unit->gaussian.errors.worst)});
-        row.push_back({fmt::format("{}, {}", unit->gaussian.errors.worst_column, unit->gaussian.errors.worst_row)});
+        row.push_back({worst_pixel(result.plan, unit->gaussian)});
       } else {
         row.insert(row.end(), 3, page::Cell{});
       }
@@ -144,9 +140,8 @@ std::string pictures(const ExhibitResult& result) {
   }
   std::string html = page::paragraph(fmt::format(
       "Where trilinear filtering fails most: {0} x {0} pixels at ({1}, {2}). Beneath each picture its difference from "
-      "the "
-      "Gaussian truth, four times amplified around grey, and its probes a pixel: 1 white, 2 light blue, 4 dark blue, 8 "
-      "green, 16 red.{3}",
+      "the Gaussian truth, four times amplified around grey, and its probes a pixel: 1 white, 2 light blue, 4 dark "
+      "blue, 8 green, 16 red.{3}",
       truth.focus.detail.size, truth.focus.detail.left, truth.focus.detail.top,
       few ? "" : " Other filters: feline report --filter NAME,..."));
   return html + page::thumbnails(shown);

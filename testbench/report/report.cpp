@@ -2,6 +2,7 @@
 #include "testbench/report/report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +19,8 @@ nlohmann::ordered_json to_json(const CellErrors& errors) {
   nlohmann::ordered_json json{{"rmse", errors.errors.rmse()},
                               {"worst", errors.errors.worst},
                               {"worst_column", errors.errors.worst_column},
-                              {"worst_row", errors.errors.worst_row}};
+                              {"worst_row", errors.errors.worst_row},
+                              {"worst_frame", errors.worst_frame}};
   if (std::isfinite(errors.errors.psnr())) json["psnr"] = errors.errors.psnr();
   if (errors.shimmer) json["shimmer"] = std::sqrt(*errors.shimmer);
   return json;
@@ -29,7 +31,7 @@ nlohmann::ordered_json row_to_json(const Cell& cell) {
   nlohmann::ordered_json json{{"filter", cell.contestant},
                               {"gaussian", to_json(cell.gaussian)},
                               {"box", to_json(cell.box)},
-                              {"seen", cell.visible},
+                              {"butteraugli", cell.butteraugli},
                               {"nanoseconds", cell.nanoseconds}};
   if (told) {
     json["probes"] = cell.cost.probes;
@@ -53,7 +55,10 @@ nlohmann::ordered_json to_json(const ExhibitResult& result) {
                      {"box_error", result.truth->box_error}};
   }
   json["filters"] = nlohmann::ordered_json::array();
-  for (const Cell& cell : result.cells) json["filters"].push_back(row_to_json(cell));
+  for (const Cell& cell : result.cells) {
+    json["filters"].push_back(row_to_json(cell));
+    json["filters"].back()["pareto"] = fronts_of(result.cells, cell);
+  }
   json["unit_error"] = nlohmann::ordered_json::array();
   for (const Split& split : result.splits) {
     json["unit_error"].push_back({{"kernel", split.kernel},
@@ -86,26 +91,19 @@ std::string csv_field(const std::string& text) {
 
 std::string to_csv(const Survey& survey) {
   std::string csv =
-      "scene,filter,rmse_gaussian,psnr_gaussian,worst_gaussian,rmse_box,psnr_box,worst_box,seen,shimmer_gaussian,"
-      "nanoseconds,probes,texels,cycles,stamp_cycles,rtl_cycles,pareto\n";
+      "scene,filter,rmse_gaussian,psnr_gaussian,worst_gaussian,rmse_box,psnr_box,worst_box,butteraugli,shimmer_gaussian,nanoseconds,probes,texels,cycles,stamp_cycles,rtl_cycles,pareto\n";
   for (const ExhibitResult& result : survey.results) {
     for (const Cell& cell : result.cells) {
       const bool told = find_contestant(cell.contestant)->kind != Contestant::Kind::kLibrary;
       const auto cost = [&](double value) { return told ? number(value) : std::string(); };
-      std::string fronts;
-      for (const TruthKind& truth : kTruthKinds) {
-        for (const Currency& currency : kCurrencies) {
-          if (!on_front(pareto_front(result.cells, currency, truth), cell)) continue;
-          fronts += fmt::format("{}{}:{}", fronts.empty() ? "" : " ", truth.name, currency.name);
-        }
-      }
       csv += fmt::format(
           "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(result.plan.name), cell.contestant,
           number(cell.gaussian.errors.rmse()), number(cell.gaussian.errors.psnr()), number(cell.gaussian.errors.worst),
           number(cell.box.errors.rmse()), number(cell.box.errors.psnr()), number(cell.box.errors.worst),
-          number(cell.visible), cell.gaussian.shimmer ? number(std::sqrt(*cell.gaussian.shimmer)) : "",
+          number(cell.butteraugli), cell.gaussian.shimmer ? number(std::sqrt(*cell.gaussian.shimmer)) : "",
           number(cell.nanoseconds), cost(cell.cost.probes), cost(cell.cost.texels), cost(cell.cost.cycles),
-          cost(cell.cost.stamp_cycles), cell.rtl_cycles ? number(*cell.rtl_cycles) : "", fronts);
+          cost(cell.cost.stamp_cycles), cell.rtl_cycles ? number(*cell.rtl_cycles) : "",
+          fmt::join(fronts_of(result.cells, cell), " "));
     }
   }
   return csv;
@@ -117,16 +115,16 @@ std::string to_text(const Survey& survey, const std::vector<Claim>& claims) {
     std::vector<const Cell*> sorted;
     for (const Cell& cell : result.cells) sorted.push_back(&cell);
     std::ranges::stable_sort(sorted, {}, [](const Cell* cell) { return cell->gaussian.errors.mean_square; });
-    text += fmt::format("{:<44}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}\n", result.plan.name + ", PSNR against", "Gaussian",
-                        "box", "ns", "cycles", "texels", "RTL");
+    text += fmt::format("{:<44}{:>9}{:>9}", result.plan.name + ", PSNR against", "Gaussian", "box");
+    for (const Currency& currency : kCurrencies) text += fmt::format("{:>12}", currency.title);
+    text += "\n";
     for (const Cell* const cell : sorted) {
       text += fmt::format("  {:<42}{:>9.2f}{:>9.2f}", cell->contestant, cell->gaussian.errors.psnr(),
                           cell->box.errors.psnr());
       for (const Currency& currency : kCurrencies) {
-        const bool counts = currency.counts(*find_contestant(cell->contestant));
-        text += fmt::format("{:>9}", counts ? fmt::format("{:.1f}", currency.of(*cell)) : "");
+        text += fmt::format("{:>12}", currency.counts(*cell) ? fmt::format("{:.1f}", currency.of(*cell)) : "");
       }
-      text += fmt::format("{:>9}\n", cell->rtl_cycles ? fmt::format("{:.1f}", *cell->rtl_cycles) : "");
+      text += "\n";
     }
   }
   for (const Claim& claim : claims) {
@@ -147,7 +145,10 @@ Report make_report(const Survey& survey) {
   Report report;
   report.holds = std::ranges::none_of(
       claims, [](const Claim& claim) { return claim.ours && claim.verdict == Verdict::kContradicted; });
-  report.json = {{"missing", survey.missing}, {"holds", report.holds}};
+  const bool judged = std::ranges::any_of(
+      claims, [](const Claim& claim) { return claim.ours && claim.verdict != Verdict::kNotMeasured; });
+  report.json = {{"missing", survey.missing}};
+  if (judged) report.json["holds"] = report.holds;
   for (const ExhibitResult& result : survey.results) report.json["scenes"].push_back(to_json(result));
   for (const Claim& claim : claims) report.json["claims"].push_back(to_json(claim));
   report.csv = to_csv(survey);

@@ -49,11 +49,14 @@ std::string identifier(std::string name) {
 
 page::Cell plain(std::string text) { return {std::move(text)}; }
 
-page::Cell cost(const Cell& cell, const Currency& currency, const std::string& format,
-                const std::array<std::vector<const Cell*>, 2>& fronts) {
-  if (!currency.counts(*find_contestant(cell.contestant))) return plain("");
+page::Cell cost(const Cell& cell, const Currency& currency, const std::array<std::vector<const Cell*>, 2>& fronts) {
+  if (!currency.counts(cell)) return plain("");
   const bool best = on_front(fronts[0], cell) || on_front(fronts[1], cell);
-  return {fmt::format(fmt::runtime(format), currency.of(cell)), best ? page::Tone::kGood : page::Tone::kPlain};
+  const double value = currency.of(cell);
+  return {value < 10    ? fmt::format("{:.2f}", value)
+          : value < 100 ? fmt::format("{:.1f}", value)
+                        : fmt::format("{:.0f}", value),
+          best ? page::Tone::kGood : page::Tone::kPlain};
 }
 
 }  // namespace
@@ -62,12 +65,12 @@ std::string decibels(double psnr) { return std::isfinite(psnr) ? fmt::format("{:
 
 page::Table standing_table(const std::vector<Cell>& cells) {
   page::Table table;
-  table.columns = {{"filter"},       {"PSNR, Gaussian", true}, {"PSNR, box", true}, {"RMSE x 1000, Gaussian", true},
-                   {"worst", true},  {"seen, %", true},        {"ns", true},        {"cycles", true},
-                   {"texels", true}, {"probes", true},         {"RTL cycles", true}};
+  table.columns = {{"filter"},      {"PSNR, Gaussian", true}, {"PSNR, box", true}, {"RMSE x 1000, Gaussian", true},
+                   {"worst", true}, {"Butteraugli", true},    {"probes", true}};
+  for (const Currency& currency : kCurrencies) table.columns.push_back({std::string(currency.title), true});
   const bool moves = std::ranges::any_of(cells, [](const Cell& cell) { return cell.gaussian.shimmer.has_value(); });
   if (moves) table.columns.push_back({"shimmer x 1000", true});
-  std::array<std::array<std::vector<const Cell*>, 2>, 3> fronts;
+  std::array<std::array<std::vector<const Cell*>, 2>, kCurrencies.size()> fronts;
   for (std::size_t i = 0; i < kCurrencies.size(); ++i) {
     for (std::size_t j = 0; j < kTruthKinds.size(); ++j) {
       fronts[i][j] = pareto_front(cells, kCurrencies[i], kTruthKinds[j]);
@@ -83,10 +86,11 @@ page::Table standing_table(const std::vector<Cell>& cells) {
     table.rows.push_back(
         {plain(cell->contestant), plain(decibels(cell->gaussian.errors.psnr())),
          plain(decibels(cell->box.errors.psnr())), plain(fmt::format("{:.2f}", 1000 * cell->gaussian.errors.rmse())),
-         plain(fmt::format("{:.3f}", cell->gaussian.errors.worst)), plain(fmt::format("{:.2f}", 100 * cell->visible)),
-         cost(*cell, kCurrencies[0], "{:.0f}", fronts[0]), cost(*cell, kCurrencies[1], "{:.2f}", fronts[1]),
-         cost(*cell, kCurrencies[2], "{:.1f}", fronts[2]), plain(known ? fmt::format("{:.2f}", cell->cost.probes) : ""),
-         plain(cell->rtl_cycles ? fmt::format("{:.1f}", *cell->rtl_cycles) : "")});
+         plain(fmt::format("{:.3f}", cell->gaussian.errors.worst)), plain(fmt::format("{:.2f}", cell->butteraugli)),
+         plain(known ? fmt::format("{:.2f}", cell->cost.probes) : "")});
+    for (std::size_t i = 0; i < kCurrencies.size(); ++i) {
+      table.rows.back().push_back(cost(*cell, kCurrencies[i], fronts[i]));
+    }
     if (moves)
       table.rows.back().push_back(plain(fmt::format("{:.2f}", 1000 * std::sqrt(cell->gaussian.shimmer.value_or(0)))));
   }
@@ -113,11 +117,11 @@ std::string standing_plot(const std::string& name, const std::string& title, con
   };
   for (const Cell* const cell : best) front.points.push_back({currency.of(*cell), (cell->*truth.errors).errors.psnr()});
   for (const Cell& cell : cells) {
-    const Contestant& contestant = *find_contestant(cell.contestant);
-    if (!currency.counts(contestant)) continue;
-    page::Series& series = contestant.kind == Contestant::Kind::kReference ? papers
-                           : contestant.kind == Contestant::Kind::kUnit    ? unit
-                                                                           : library;
+    if (!currency.counts(cell)) continue;
+    const Contestant::Kind kind = find_contestant(cell.contestant)->kind;
+    page::Series& series = kind == Contestant::Kind::kReference ? papers
+                           : kind == Contestant::Kind::kUnit    ? unit
+                                                                : library;
     series.points.push_back(point_of(cell));
   }
   plot.series = {std::move(front), std::move(papers), std::move(unit), std::move(library)};
@@ -128,6 +132,7 @@ std::vector<std::string> standing_plots(const std::string& name, const std::vect
   std::vector<std::string> plots;
   for (const TruthKind& truth : kTruthKinds) {
     for (const Currency& currency : kCurrencies) {
+      if (std::ranges::none_of(cells, currency.counts)) continue;
       const std::string drawing = standing_plot(fmt::format("{}-{}-{}", name, truth.name, currency.name),
                                                 fmt::format("{}: {}", name, truth.label), cells, currency, truth);
       plots.push_back(

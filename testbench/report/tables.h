@@ -17,7 +17,7 @@ page::Table standing_table(const std::vector<Cell>& cells);
 // The error against one truth over one currency, the Pareto front as a line with names.
 std::string standing_plot(const std::string& name, const std::string& title, const std::vector<Cell>& cells,
                           const Currency& currency, const TruthKind& truth);
-// Every currency and truth.
+// Every truth, and every currency that one of them counts in.
 std::vector<std::string> standing_plots(const std::string& name, const std::vector<Cell>& cells);
 
 }  // namespace feline

@@ -19,22 +19,18 @@ constexpr double kBodyDot = 2.85;  // not whole, so that strokes have grey edges
 
 constexpr std::string_view kTitle = "Feline at work";
 constexpr std::string_view kBody =
-    "A pixel is a small round window. Seen through it, a slanted page is an ellipse: long where "
-    "the page runs away from you, narrow across. Whoever averages the whole ellipse gets letters "
-    "that stay sharp; whoever averages the circle around it gets fog, and whoever looks at one "
-    "point only gets noise that crawls.\n"
-    "Feline lays a row of small round probes along the ellipse, weighs them with a bell, and adds "
-    "them up. Two probes are enough for a mild slant, sixteen for a page seen from its edge. Each "
-    "probe is an ordinary trilinear lookup, so the hardware that has one already has the other: "
-    "only the plan of the row is new.\n"
-    "How long is the row? How wide is a probe? Simple Feline guesses both from the two gradients "
-    "of the pixel. Table Feline looks them up: 16 x 16 cells, 4 bytes each, 1024 bytes in all. "
-    "Where the gradients are square to each other, both agree. Where they lean, the guess is too "
-    "short and too fat, and the text goes soft.\n"
-    "This page is the test. Count the lines that you can still read, then count the probes that "
-    "each of them cost. (0 1 2 3 4 5 6 7 8 9 + - = / ; : ! ?)\n"
-    "The quick brown lynx jumps over sixty lazy voxels; a black cat waits for the judge's fuzzy "
-    "quartz map.";
+    "A pixel is a small round window. Seen through it, a slanted page is an ellipse: long where the page runs away "
+    "from you, narrow across. Whoever averages the whole ellipse gets letters that stay sharp; whoever averages the "
+    "circle around it gets fog, and whoever looks at one point only gets noise that crawls.\n"
+    "Feline lays a row of small round probes along the ellipse, weighs them with a bell, and adds them up. Two probes "
+    "are enough for a mild slant, sixteen for a page seen from its edge. Each probe is an ordinary trilinear lookup, "
+    "so the hardware that has one already has the other: only the plan of the row is new.\n"
+    "How long is the row? How wide is a probe? Simple Feline guesses both from the two gradients of the pixel. Table "
+    "Feline looks them up: 16 x 16 cells, 4 bytes each, 1024 bytes in all. Where the gradients are square to each "
+    "other, both agree. Where they lean, the guess is too short and too fat, and the text goes soft.\n"
+    "This page is the test. Count the lines that you can still read, then count the probes that each of them cost. (0 "
+    "1 2 3 4 5 6 7 8 9 + - = / ; : ! ?)\n"
+    "The quick brown lynx jumps over sixty lazy voxels; a black cat waits for the judge's fuzzy quartz map.";
 
 // A sheet that is inked by area: a glyph pixel is a rectangle of any size at any place, and each
 // texel takes the part of it that is covered.

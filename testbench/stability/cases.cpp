@@ -10,17 +10,17 @@ namespace {
 
 using Gradients = reference::Gradients<double>;
 
-double between(Random& random, double low, double high) { return low + (high - low) * random.unit(); }
-double sign(Random& random) { return random.chance(0.5) ? -1 : 1; }
+double between(SplitMix64& random, double low, double high) { return low + (high - low) * random.unit(); }
+double sign(SplitMix64& random) { return random.chance(0.5) ? -1 : 1; }
 float step(float value, int ulps) {
   for (; ulps > 0; --ulps) value = std::nextafter(value, INFINITY);
   for (; ulps < 0; ++ulps) value = std::nextafter(value, -INFINITY);
   return value;
 }
-int few(Random& random) { return static_cast<int>(random.below(7)) - 3; }
+int few(SplitMix64& random) { return static_cast<int>(random.below(7)) - 3; }
 
 // Texels of the class' texture to a lookup, rounded to float32.
-Case case_of(Random& random, const Gradients& texels, std::size_t texture = 0) {
+Case case_of(SplitMix64& random, const Gradients& texels, std::size_t texture = 0) {
   Case of;
   of.texture = texture;
   const double width = texture_of(of).width();
@@ -32,7 +32,7 @@ Case case_of(Random& random, const Gradients& texels, std::size_t texture = 0) {
 }
 
 // Radii `major` and `major`/condition, at any angle, mixed by any rotation of the pixel.
-Gradients ellipse(Random& random, double major, double condition) {
+Gradients ellipse(SplitMix64& random, double major, double condition) {
   const double angle = between(random, 0, 6.283185307179586);
   const double mix = between(random, 0, 6.283185307179586);
   const double minor = major / condition;
@@ -43,21 +43,21 @@ Gradients ellipse(Random& random, double major, double condition) {
   return {column(major * std::cos(mix), minor * std::sin(mix)), column(-major * std::sin(mix), minor * std::cos(mix))};
 }
 
-Gradients any_ellipse(Random& random, double low_log2, double high_log2, double most_condition_log2) {
+Gradients any_ellipse(SplitMix64& random, double low_log2, double high_log2, double most_condition_log2) {
   return ellipse(random, std::exp2(between(random, low_log2, high_log2)),
                  std::exp2(between(random, 0, most_condition_log2)));
 }
 
-Case tame(Random& random) { return case_of(random, any_ellipse(random, -2, 7, 5)); }
+Case tame(SplitMix64& random) { return case_of(random, any_ellipse(random, -2, 7, 5)); }
 
-Case condition(Random& random) {
+Case condition(SplitMix64& random) {
   Gradients texels = stiff_gradients(random, std::pow(10.0, between(random, 0, 12)));
   // Powers of two change no condition.
   const double scale = std::ldexp(1.0, -10 - static_cast<int>(random.below(14)));
   return case_of(random, {scale * texels.x, scale * texels.y});
 }
 
-Case nearly_parallel(Random& random) {
+Case nearly_parallel(SplitMix64& random) {
   Case of = tame(random);
   const auto part = static_cast<float>(between(random, -1, 1));
   of.lookup.dsdy = step(of.lookup.dsdx * part, few(random));
@@ -65,7 +65,7 @@ Case nearly_parallel(Random& random) {
   return of;
 }
 
-Case nearly_equal(Random& random) {
+Case nearly_equal(SplitMix64& random) {
   Case of = tame(random);
   const auto flip = static_cast<float>(sign(random));
   of.lookup.dsdy = step(of.lookup.dsdx * flip, few(random));
@@ -73,7 +73,7 @@ Case nearly_equal(Random& random) {
   return of;
 }
 
-Case nearly_round(Random& random) {
+Case nearly_round(SplitMix64& random) {
   Case of = tame(random);
   const auto flip = static_cast<float>(sign(random));
   of.lookup.dsdy = step(-of.lookup.dtdx * flip, few(random));
@@ -81,14 +81,14 @@ Case nearly_round(Random& random) {
   return of;
 }
 
-Case one_zero(Random& random) {
+Case one_zero(SplitMix64& random) {
   Case of = case_of(random, any_ellipse(random, -20, 20, 5));
   (random.chance(0.5) ? of.lookup.dsdx : of.lookup.dsdy) = 0;
   (of.lookup.dsdx == 0 ? of.lookup.dtdx : of.lookup.dtdy) = 0;
   return of;
 }
 
-Case both_zero(Random& random) {
+Case both_zero(SplitMix64& random) {
   Case of = tame(random);
   const auto zero = [&] { return random.chance(0.5) ? 0.0F : -0.0F; };
   of.lookup.dsdx = zero(), of.lookup.dtdx = zero(), of.lookup.dsdy = zero(), of.lookup.dtdy = zero();
@@ -96,21 +96,21 @@ Case both_zero(Random& random) {
 }
 
 // Down to denormals, and up to where texels of a 256 x 256 texture no longer fit float32.
-Case magnification(Random& random) { return case_of(random, any_ellipse(random, -141, 0, 5)); }
-Case minification(Random& random) { return case_of(random, any_ellipse(random, 7, 134, 5)); }
+Case magnification(SplitMix64& random) { return case_of(random, any_ellipse(random, -141, 0, 5)); }
+Case minification(SplitMix64& random) { return case_of(random, any_ellipse(random, 7, 134, 5)); }
 
-Case uneven(Random& random) {
+Case uneven(SplitMix64& random) {
   const auto component = [&] { return sign(random) * std::exp2(between(random, -120, 120)); };
   Gradients texels{{component(), component()}, {component(), component()}};
   return case_of(random, texels);
 }
 
-Case size(Random& random) {
+Case size(SplitMix64& random) {
   const std::size_t texture = 1 + random.below(static_cast<std::uint32_t>(test_textures().size() - 1));
   return case_of(random, any_ellipse(random, -3, 15, 8), texture);
 }
 
-Case far_away(Random& random) {
+Case far_away(SplitMix64& random) {
   Case of = tame(random);
   const auto far = [&] { return static_cast<float>(sign(random) * std::exp2(between(random, 0, 24))); };
   of.lookup.s = far();
@@ -119,7 +119,7 @@ Case far_away(Random& random) {
 }
 
 // Aligned or turned by a right angle, so that the radii are the float32 components themselves.
-Case aligned(Random& random, float major, float minor) {
+Case aligned(SplitMix64& random, float major, float minor) {
   Case of = tame(random);
   Lookup& at = of.lookup;
   at.dsdx = at.dtdx = at.dsdy = at.dtdy = 0;
@@ -132,14 +132,14 @@ Case aligned(Random& random, float major, float minor) {
 }
 
 // fProbes = 2 major/minor - 1 = n + 1/2.
-Case probe_boundary(Random& random) {
+Case probe_boundary(SplitMix64& random) {
   const auto minor = static_cast<float>(std::exp2(static_cast<double>(random.below(5))));
   const auto probes = static_cast<float>(1 + random.below(kMaxProbes - 1));
   return aligned(random, step(minor * (probes + 1.5F) / 2, static_cast<int>(random.below(3)) - 1), minor);
 }
 
 // A level that is a whole number, one texel and the 1 x 1 level included.
-Case level_boundary(Random& random) {
+Case level_boundary(SplitMix64& random) {
   const auto minor = static_cast<float>(std::exp2(static_cast<double>(random.below(10))));
   const auto ratio = static_cast<float>(random.chance(0.5) ? 1 : between(random, 1, 8));
   return aligned(random, minor * ratio, step(minor, static_cast<int>(random.below(3)) - 1));
@@ -163,8 +163,7 @@ constexpr std::array kClasses{
     CaseClass{"far", "tame, at coordinates of 1 to 2^24 textures", far_away},
     CaseClass{"probe_boundary", "fProbes at n + 1/2 for n = 1 to 15, and an ulp to either side", probe_boundary},
     CaseClass{"level_boundary",
-              "minor radius a power of two, one texel and the 1 x 1 level included, and an ulp to "
-              "either side",
+              "minor radius a power of two, one texel and the 1 x 1 level included, and an ulp to either side",
               level_boundary},
 };
 
@@ -185,7 +184,7 @@ Bezout bezout(std::int64_t a, std::int64_t b) {
 
 }  // namespace
 
-Gradients stiff_gradients(Random& random, double condition) {
+Gradients stiff_gradients(SplitMix64& random, double condition) {
   constexpr std::int64_t kMost = std::int64_t{1} << 23;
   // Below this, rounding to 24 bits moves the condition by little.
   if (condition < 1000) {
@@ -223,7 +222,7 @@ std::vector<Case> draw_cases(const CaseClass& of, std::uint64_t count, std::uint
   // From the name, so that the order of the classes says nothing.
   std::uint64_t part = 0;
   for (const char c : of.name) part = 31 * part + static_cast<std::uint64_t>(c);
-  Random random(derived_seed(seed, part));
+  SplitMix64 random(derived_seed(seed, part));
   std::vector<Case> cases;
   for (std::uint64_t i = 0; i < count; ++i) cases.push_back(of.draw(random));
   return cases;

@@ -15,7 +15,7 @@ namespace feline::stability {
 struct CaseClass {
   std::string_view name;
   std::string_view description;
-  Case (*draw)(Random&);  // finite lookups only
+  Case (*draw)(SplitMix64&);  // finite lookups only
 };
 std::span<const CaseClass> case_classes();
 
@@ -24,6 +24,6 @@ std::vector<Case> draw_cases(const CaseClass& of, std::uint64_t count, std::uint
 
 // Gradients in texels of the first test texture, 256 x 256, whose components are at most 2^24 in magnitude and of an
 // exact condition number near `condition`, 1 .. 1e13: the condition as generated, before any rounding.
-reference::Gradients<double> stiff_gradients(Random& random, double condition);
+reference::Gradients<double> stiff_gradients(SplitMix64& random, double condition);
 
 }  // namespace feline::stability

@@ -28,7 +28,7 @@ Path path(std::string_view name, std::string_view description, const reference::
   return made;
 }
 
-Path random_path(Random& random) {
+Path random_path(SplitMix64& random) {
   constexpr std::array kDerivatives{&Lookup::dsdx, &Lookup::dtdx, &Lookup::dsdy, &Lookup::dtdy};
   Path made{"random", "tame lookups, one derivative changed by up to a tenth", {}, {}, 0};
   made.start = draw_cases(case_classes().front(), 1, random.next()).front();
@@ -141,7 +141,7 @@ std::vector<Path> paths(std::uint64_t random_count, std::uint64_t seed) {
       path("singular", "gradients (8, 3) and (8, 2.9 to 3.1): parallel at 3", {{8, 3}, {8, 0}}, &Lookup::dtdy, 2.9,
            3.1),
   };
-  Random random(derived_seed(seed, 0x9a75));
+  SplitMix64 random(derived_seed(seed, 0x9a75));
   for (std::uint64_t i = 0; i < random_count; ++i) all.push_back(random_path(random));
   return all;
 }

@@ -30,14 +30,12 @@ std::string summary(const Study& study) {
   html += page::bullets(broken);
   html += page::bullets(std::vector<std::string>{
       "printed: the formulas of WRL 99/1, 2.1 and 3.1, as printed, but that atan2 gives the angle; then Feline's line "
-      "of "
-      "probes. In float32 and in double.",
+      "of probes. In float32 and in double.",
       "stable: the same ellipse by way of hypotenuses and Kahan's determinant (model/reference/ellipse.h). In float32 "
       "and in double.",
       "unit: the bit-accurate model of the 8-bit unit in Simple and in Table mode, 16 probes, rounding of 3.1.",
       "truth: radii from the eigenvalues of M^T M and the determinant, the axis from the eigenvector of M M^T, then "
-      "the "
-      "same line of probes, bilinear texels and mip levels, all at 200 bits.",
+      "the same line of probes, bilinear texels and mip levels, all at 200 bits.",
   });
   return html;
 }
@@ -100,12 +98,10 @@ std::string bounds() {
   return page::heading(2, "Bounds") +
          page::paragraph(
              "u is 2^-24 in float32 and 2^-53 in double; k is the condition number, major over minor radius. A "
-             "formula's "
-             "probe count may be that of the other side where fProbes is nearer to a boundary than the radii's bound: "
-             "level and colour are then compared with the truth's other side. Two least denormals are forgiven, and in "
-             "the unit 2^-57 texels, below which a footprint is a point. Where a radius in texels is beyond float32, "
-             "or "
-             "the unit says overflow, it has no error.") +
+             "formula's probe count may be that of the other side where fProbes is nearer to a boundary than the "
+             "radii's bound: level and colour are then compared with the truth's other side. Two least denormals are "
+             "forgiven, and in the unit 2^-57 texels, below which a footprint is a point. Where a radius in texels is "
+             "beyond float32, or the unit says overflow, it has no error.") +
          page::table(table);
 }
 
@@ -161,10 +157,10 @@ std::string jumps(const Study& study) {
   }
   html += page::table(causes);
   html += page::paragraph(
-      fmt::format("In Table mode the ratio of the radii is the cell's, so that probe counts change with "
-                  "cells. Every place over a step is in stability-jumps.csv. The unit's bounds: Table {:.3f}, Simple "
-                  "{:.3f} octaves, the most by which stored radii can be off against each "
-                  "other, times a line widened by 5/4, and 0.0224 for roundings.",
+      fmt::format("In Table mode the ratio of the radii is the cell's, so that probe counts change with cells. Every "
+                  "place over a step is in stability-jumps.csv. The unit's bounds: Table {:.3f}, Simple {:.3f} "
+                  "octaves, the most by which stored radii can be off against each other, times a line widened by 5/4, "
+                  "and 0.0224 for roundings.",
                   unit_jump_bound(true), unit_jump_bound(false)));
   Table steps{"One probe more: 2 major/minor where it comes, and the level's jump there",
               {{"probes"}, {"Feline", true}, {"octaves", true}},
@@ -209,13 +205,11 @@ std::string non_finite(const Study& study) {
   return page::heading(2, "NaN, infinity and the ends of float32") +
          page::paragraph(
              "Each value in each operand of its kind, in each pair with opposite signs, and in all. Lookups with a "
-             "colour "
-             "within the texture's range / with a level within its levels / with the coarsest level; of the unit also "
-             "those whose status bits are what its contract says. The unit must have a colour, a level and the right "
-             "status every time. The formulas promise nothing for input that is not finite: the printed ones pass NaN "
-             "on, the stable ones take NaN for a footprint of no size, which is the finest level; the unit takes it "
-             "for "
-             "one without bound, which is the coarsest.") +
+             "colour within the texture's range / with a level within its levels / with the coarsest level; of the "
+             "unit also those whose status bits are what its contract says. The unit must have a colour, a level and "
+             "the right status every time. The formulas promise nothing for input that is not finite: the printed ones "
+             "pass NaN on, the stable ones take NaN for a footprint of no size, which is the finest level; the unit "
+             "takes it for one without bound, which is the coarsest.") +
          page::table(table);
 }
 

@@ -109,8 +109,7 @@ std::vector<std::string> plots(const Study& study) {
   if (!study.decades.empty()) {
     add(by_condition(study, "minor", "Minor radius", &Decade::minor, false),
         "The printed formulas lose digits with the square of the condition number and have none left at 1e4 in float32 "
-        "and 1e8 in double; the stable ones lose none. Worst of each decade, all classes between 2^-24 and 2^24 "
-        "texels "
+        "and 1e8 in double; the stable ones lose none. Worst of each decade, all classes between 2^-24 and 2^24 texels "
         "whose size is a power of two; 1 is all digits.");
     add(by_condition(study, "major", "Major radius", &Decade::major, true),
         "The printed formulas lose the major radius as well: it comes from a difference of two large numbers. The unit "

@@ -102,8 +102,7 @@ TEST(atomic_file, directory_as_target) {
 
 TEST(atomic_file, full_device) {
   EXPECT_EQ(input_error([] { write_file_atomically("/dev/full", "x"); }),
-            "/dev/full: write: got No space left on device, "
-            "legal is a writable file on a disk with room");
+            "/dev/full: write: got No space left on device, legal is a writable file on a disk with room");
   EXPECT_TRUE(fs::is_character_file("/dev/full"));
 }
 

@@ -47,7 +47,7 @@ Case scene_case(const Scene& scene, int width, int height) {
 
 // Noise of any size, and lookups whose footprints and positions suit it.
 Case noise_case(int width, int height, TexelFormat format, bool srgb, std::uint64_t seed) {
-  Random random(seed);
+  SplitMix64 random(seed);
   Case made;
   made.texture.format = format;
   made.texture.srgb = srgb;

@@ -160,8 +160,7 @@ TEST(gbuffer, missing_foreign_and_truncated_files) {
 TEST(gbuffer, output_that_cannot_be_written) {
   const TempDir dir;
   EXPECT_EQ(input_error([] { write_gbuffer("/dev/full", plain_gbuffer(2, 2)); }),
-            "/dev/full: write: got No space left on device, "
-            "legal is a writable file on a disk with room");
+            "/dev/full: write: got No space left on device, legal is a writable file on a disk with room");
   EXPECT_THROW(write_gbuffer(dir / "g.exr", {2, 2, {}}), std::invalid_argument);
   EXPECT_EQ(dir.file_count(), 0);
 }

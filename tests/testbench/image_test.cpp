@@ -212,8 +212,7 @@ TEST(image, png_16_bit_is_lossless) {
 TEST(image, png_that_cannot_be_written) {
   const TempDir dir;
   EXPECT_EQ(input_error([] { write_png("/dev/full", 1, 1, 1, Bytes{0}); }),
-            "/dev/full: write: got No space left on device, "
-            "legal is a writable file on a disk with room");
+            "/dev/full: write: got No space left on device, legal is a writable file on a disk with room");
   const std::string message = input_error([&] { write_png(dir / "no/a.png", 1, 1, 1, Bytes{0}); });
   EXPECT_EQ(message.find((dir / "no/a.png").string() + ": open: got No such file"), 0u) << message;
   EXPECT_THROW(write_png(dir / "a.png", 2, 1, 1, Bytes{0}), std::invalid_argument);

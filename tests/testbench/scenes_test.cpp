@@ -40,8 +40,8 @@ TEST(scenes, names_and_lookup) {
     EXPECT_FALSE(scenes()[i].description.empty());
   }
   EXPECT_EQ(input_error([] { find_scene("brick"); }),
-            "scene: name: got brick, legal is bricks, curves, text, checkerboard, runway_steep, "
-            "runway_middle, runway, runway_low, window, sphere, reflector, magnify, repeat, tessellated, spin");
+            "scene: name: got brick, legal is bricks, curves, text, checkerboard, runway_steep, runway_middle, runway, "
+            "runway_low, window, sphere, reflector, magnify, repeat, tessellated, spin");
 }
 
 // Analytic against central differences in double, at points off any pixel grid.

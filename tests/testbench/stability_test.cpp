@@ -29,7 +29,7 @@ Case in_texels(double dudx, double dvdx, double dudy, double dvdy) {
 
 // The smaller eigenvalue as a difference, which 200 bits can afford up to a condition number of 1e12.
 TEST(stability, truth_is_the_eigenvalues) {
-  Random random(1);
+  SplitMix64 random(1);
   for (int i = 0; i < 300; ++i) {
     const auto g = stiff_gradients(random, std::pow(10.0, 12 * random.unit()));
     const reference::Gradients<Real> real{{g.x.u, g.x.v}, {g.y.u, g.y.v}};
@@ -137,7 +137,7 @@ TEST(stability, classes_do_not_depend_on_each_other) {
 }
 
 TEST(stability, stiff_gradients_have_the_condition) {
-  Random random(5);
+  SplitMix64 random(5);
   for (int i = 0; i < 500; ++i) {
     const double wanted = std::pow(10.0, 13 * random.unit());
     const auto g = stiff_gradients(random, wanted);
@@ -160,7 +160,7 @@ double error(Subject subject, Metric metric, const Case& of) {
 // Where the square of the condition number meets the precision, the printed formulas have no digit left and the stable
 // ones all of them.
 TEST(stability, known_forward_errors) {
-  Random random(11);
+  SplitMix64 random(11);
   int lost = 0;
   for (int i = 0; i < 50; ++i) {
     const auto stiff = [&](double condition) {

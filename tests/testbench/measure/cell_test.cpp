@@ -51,12 +51,14 @@ TEST(measure_cell, of_a_sequence) {
   const Cell cell = measure_cell(nearest, made.exhibit, made.truths, kFocus);
   double mean_square = 0;
   double worst = 0;
+  int worst_frame = 0;
   double shimmer = 0;
   std::vector<FloatPicture> pictures;
   for (std::size_t i = 0; i < 8; ++i) {
     pictures.push_back(nearest.render(made.exhibit.frames[i], nullptr).picture);
     const Errors errors = compare(pictures[i], made.truths[i].gaussian, 4);
     mean_square += errors.mean_square / 8;
+    if (errors.worst > worst) worst_frame = static_cast<int>(i);
     worst = std::max(worst, errors.worst);
     if (i == 0) continue;
     shimmer +=
@@ -64,6 +66,7 @@ TEST(measure_cell, of_a_sequence) {
   }
   EXPECT_NEAR(cell.gaussian.errors.mean_square, mean_square, 1e-12);
   EXPECT_EQ(cell.gaussian.errors.worst, worst);
+  EXPECT_EQ(cell.gaussian.worst_frame, worst_frame);
   EXPECT_NEAR(cell.gaussian.shimmer.value(), shimmer, 1e-12);
   EXPECT_EQ(cell.cost.texels, 1);
 }
@@ -87,6 +90,7 @@ TEST(measure_cell, is_kept_as_json) {
     EXPECT_EQ(to_json(back), json);
     EXPECT_EQ(back.box.errors.mean_square, cell.box.errors.mean_square);
     EXPECT_EQ(back.box.errors.worst_row, cell.box.errors.worst_row);
+    EXPECT_EQ(back.gaussian.worst_frame, cell.gaussian.worst_frame);
     EXPECT_EQ(back.gaussian.shimmer, cell.gaussian.shimmer);
     EXPECT_EQ(back.rtl_cycles, cell.rtl_cycles);
     EXPECT_EQ(back.cost.stamp_cycles, cell.cost.stamp_cycles);

@@ -129,6 +129,42 @@ TEST(measure_contestant, openimageio_of_a_constant_is_the_constant) {
   }
 }
 
+// Its mip levels are the surface's: where a level fits exactly, nothing but one probe of it is there.
+TEST(measure_contestant, openimageio_takes_the_surfaces_levels) {
+  Shown shown("spin", {}, 16, 16);
+  const auto& levels = shown.surface.images.lanczos.levels;
+  for (const int level : {0, 1, 3}) {
+    const auto step = static_cast<float>(1 << level) / 64;
+    for (std::size_t i = 0; i < shown.view.gbuffer.lookups.size(); ++i) {
+      const auto column = static_cast<float>(i % 16);
+      const auto row = static_cast<float>(i / 16);
+      shown.view.gbuffer.lookups[i] = {(column + 0.5F) * step, (row + 0.5F) * step, step, 0, 0, step};
+    }
+    const FloatPicture picture = find_contestant("openimageio")->render(shown.view, nullptr).picture;
+    const reference::Level& own = levels[static_cast<std::size_t>(level)];
+    for (int row = 0; row < 16; ++row) {
+      for (int column = 0; column < 16; ++column) {
+        const auto& texel = own.texels[static_cast<std::size_t>((row % own.height) * own.width + column % own.width)];
+        for (std::size_t c = 0; c < 3; ++c) ASSERT_NEAR(picture.at(column, row)[c], texel[c], 1e-4) << level;
+      }
+    }
+  }
+}
+
+// A filter reads no other form of the surface than it says.
+TEST(measure_contestant, forms) {
+  const Shown whole("sphere");
+  Shown own("sphere");
+  for (const Contestant& contestant : contestants()) {
+    own.surface = make_surface(small_scene("sphere").texture(), {}, MipEdge::kRepeat, std::span(&contestant.form, 1));
+    own.view.surface = &own.surface;
+    const auto picture = contestant.render(own.view, nullptr).picture;
+    EXPECT_EQ(picture.pixels, contestant.render(whole.view, nullptr).picture.pixels) << contestant.name;
+  }
+  EXPECT_TRUE(own.surface.images.box.levels.empty());
+  EXPECT_TRUE(own.surface.images.rip.levels.empty());
+}
+
 TEST(measure_contestant, openimageio_is_near_the_truth) {
   const Surface surface = make_surface(find_scene("checkerboard").texture(), {}, MipEdge::kRepeat);
   const View view = make_view(find_scene("checkerboard"), surface, 32, 32);
@@ -141,7 +177,6 @@ TEST(measure_contestant, openimageio_is_near_the_truth) {
   EXPECT_GT(psnr("ewa"), 35);
 }
 
-// Of 70 rows the first four, and the last of two stripes: rows 64 to 67.
 // Rows 8, 24, 40, 56 and the last one, each after the row before it.
 TEST(measure_contestant, rtl_cycles_are_those_of_a_cosimulation) {
   const Shown shown("spin", {}, 8, 70);

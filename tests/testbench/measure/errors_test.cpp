@@ -73,24 +73,5 @@ TEST(measure_errors, shimmer_is_a_change_of_the_error) {
   EXPECT_DOUBLE_EQ(temporal_mean_square(bright, bright, full, bright, 4), 0.0625);
 }
 
-TEST(measure_errors, what_a_viewer_sees) {
-  const FloatPicture black = filled(64, 64, {0, 0, 0, 1});
-  const FloatPicture white = filled(64, 64, {1, 1, 1, 1});
-  for (const bool srgb : {false, true}) {
-    EXPECT_EQ(visible_difference(white, white, 64, srgb, 4), 0);
-    EXPECT_GT(visible_difference(black, white, 64, srgb, 4), 0.95);
-    EXPECT_EQ(visible_difference(white, filled(64, 64, {0.999F, 1, 1, 1}), 64, srgb, 4), 0);
-  }
-  // A single channel is grey: the others are not looked at.
-  EXPECT_EQ(visible_difference(filled(64, 64, {0.5F, 0, 0, 1}), filled(64, 64, {0.5F, 1, 1, 1}), 64, false, 1), 0);
-  EXPECT_GT(visible_difference(filled(64, 64, {0, 0, 0, 1}), filled(64, 64, {1, 0, 0, 1}), 64, false, 1), 0.95);
-  // Half of the picture.
-  FloatPicture half = black;
-  for (int row = 0; row < 32; ++row) {
-    for (int column = 0; column < 64; ++column) at(half, column, row) = {1, 1, 1, 1};
-  }
-  EXPECT_NEAR(visible_difference(half, black, 64, false, 4), 0.5, 0.15);
-}
-
 }  // namespace
 }  // namespace feline

@@ -11,7 +11,7 @@ namespace feline {
 namespace {
 
 MipLevel noise(int width, int height, int channels) {
-  Random random(3);
+  SplitMix64 random(3);
   MipLevel level{width, height, {}};
   for (int i = 0; i < width * height * channels; ++i) {
     level.texels.push_back(static_cast<std::uint8_t>(random.below(256)));

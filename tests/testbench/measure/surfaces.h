@@ -27,7 +27,7 @@ reference::MipMap grey_map(int width, int height, const reference::Wrapping& wra
 }
 
 inline reference::MipMap noise_map(int size, std::uint64_t seed) {
-  Random random(seed);
+  SplitMix64 random(seed);
   return grey_map(size, size, {}, [&](int, int) { return random.unit(); });
 }
 
@@ -35,7 +35,7 @@ inline reference::MipMap noise_map(int size, std::uint64_t seed) {
 template <int kChannels>
 MipLevel paint_small() {
   constexpr int kSide = 64;
-  Random random(17);
+  SplitMix64 random(17);
   MipLevel level{kSide, kSide, {}};
   for (int j = 0; j < kSide; ++j) {
     for (int i = 0; i < kSide; ++i) {

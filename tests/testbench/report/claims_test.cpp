@@ -57,6 +57,7 @@ TEST(report_claims, only_ours_break_the_report) {
         "window", {cell_of("feline_table", 30), cell_of("unit_table", unit), cell_of("feline_simple", simple)})}));
   };
   EXPECT_TRUE(report_of(30, 26).holds);
+  EXPECT_TRUE(report_of(30, 26).json["holds"]);
   const Report papers = report_of(30, 29);
   EXPECT_TRUE(papers.holds);
   EXPECT_NE(papers.text.find("contradicted"), std::string::npos);

@@ -35,7 +35,7 @@ TEST(report_standing, ties) {
   // As cheap and worse; as good and dearer; the same.
   EXPECT_EQ(front_of({cell_of("ext", 30, 2), cell_of("texram", 31, 2)}, "cycles"), Names{"texram"});
   EXPECT_EQ(front_of({cell_of("ext", 30, 3), cell_of("texram", 30, 2)}, "cycles"), Names{"texram"});
-  EXPECT_EQ(front_of({cell_of("ext", 30, 2), cell_of("texram", 30, 2)}, "cycles"), Names{"ext"});
+  EXPECT_EQ(front_of({cell_of("ext", 30, 2), cell_of("texram", 30, 2)}, "cycles"), (Names{"ext", "texram"}));
 }
 
 TEST(report_standing, each_truth_has_its_own_front) {
@@ -51,6 +51,21 @@ TEST(report_standing, each_currency_counts_whom_it_can) {
   EXPECT_EQ(front_of(cells, "nanoseconds"), Names{"openimageio"});
   EXPECT_EQ(front_of(cells, "cycles"), Names{"unit_table"});
   EXPECT_EQ(front_of(cells, "texels"), Names{"unit_table"});
+  EXPECT_EQ(front_of(cells, "rtl_cycles"), Names{});
+  std::vector<Cell> with_rtl = cells;
+  with_rtl[0].rtl_cycles = 7;
+  EXPECT_EQ(front_of(with_rtl, "rtl_cycles"), Names{"unit_table"});
+}
+
+TEST(report_standing, where_the_worst_pixel_is) {
+  ExhibitPlan plan;
+  CellErrors errors;
+  errors.errors.worst_column = 3;
+  errors.errors.worst_row = 14;
+  errors.worst_frame = 5;
+  EXPECT_EQ(worst_pixel(plan, errors), "(3, 14)");
+  plan.frame_count = 8;
+  EXPECT_EQ(worst_pixel(plan, errors), "(3, 14) of frame 5");
 }
 
 TEST(report_standing, a_front_holds_its_own_cells) {
@@ -68,8 +83,8 @@ TEST(report_standing, pooled_over_exhibits) {
   b.gaussian.errors.worst = 0.75;
   a.box.errors.mean_square = 0.5;
   b.box.errors.mean_square = 0.25;
-  a.visible = 0.5;
-  b.visible = 0.25;
+  a.butteraugli = 0.5;
+  b.butteraugli = 0.25;
   Cell unit_a = cell_of("unit_table", 30);
   Cell unit_b = cell_of("unit_table", 30);
   unit_a.rtl_cycles = 10;
@@ -85,7 +100,7 @@ TEST(report_standing, pooled_over_exhibits) {
   EXPECT_DOUBLE_EQ(all.gaussian.errors.mean_square, (0.001 + 0.01) / 2);
   EXPECT_DOUBLE_EQ(all.box.errors.mean_square, 0.375);
   EXPECT_DOUBLE_EQ(all.gaussian.errors.worst, 0.75);
-  EXPECT_DOUBLE_EQ(all.visible, 0.375);
+  EXPECT_DOUBLE_EQ(all.butteraugli, 0.375);
   EXPECT_DOUBLE_EQ(all.nanoseconds, 400);
   EXPECT_DOUBLE_EQ(all.cost.probes, 4);
   EXPECT_DOUBLE_EQ(all.cost.texels, 32);
