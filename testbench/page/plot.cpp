@@ -18,7 +18,7 @@ constexpr std::array<int, 7> kShapes{7, 5, 9, 11, 13, 6, 4};
 
 std::string axis_commands(char axis, const Axis& of) {
   std::string commands = fmt::format("set {}label {}{}\n", axis, quoted(of.label), axis == 'x' ? " offset 0,0.4" : "");
-  if (of.log) commands += fmt::format("set logscale {0} 10\nset format {0} '10^%T'\n", axis);
+  if (of.log) commands += fmt::format("set logscale {0} 10\nset format {0} '%g'\n", axis);
   if (!of.names.empty()) {
     std::string names;
     for (std::size_t i = 0; i < of.names.size(); ++i) {

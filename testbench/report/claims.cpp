@@ -74,8 +74,9 @@ void compare_filters(Claim& claim, const Survey& survey, std::span<const std::st
                      std::string_view first, std::string_view second, const std::function<bool(double)>& holds) {
   for (const Pair& pair : pairs_of(claim, survey, scenes, first, second)) {
     claim.measured.push_back(fmt::format(
-        "{}: {:+.2f} dB (Gaussian), {:+.2f} dB (box); {:.2f} and {:.2f} probes", pair.result->plan.name, pair.ahead(),
-        psnr_ahead(pair.second->box, pair.first->box), pair.first->cost.probes, pair.second->cost.probes));
+        "{}: {:+.2f} dB (Gaussian), {:+.2f} dB (box); Butteraugli {:.2f} and {:.2f}; {:.2f} and {:.2f} probes",
+        pair.result->plan.name, pair.ahead(), psnr_ahead(pair.second->box, pair.first->box), pair.first->butteraugli,
+        pair.second->butteraugli, pair.first->cost.probes, pair.second->cost.probes));
     judge(claim, holds(pair.ahead()));
   }
 }
@@ -174,8 +175,9 @@ Claim as_ewa(const Survey& survey) {
       circles_behind += psnr_ahead(ewa->gaussian, circles->gaussian);
       helped += 1;
     }
-    claim.measured.push_back(
-        line + fmt::format(" (Gaussian); EWA {:.1f}, Feline {:.1f} (box)", box_psnr(*ewa), box_psnr(*feline)));
+    claim.measured.push_back(line +
+                             fmt::format(" (Gaussian); EWA {:.1f}, Feline {:.1f} (box); Butteraugli {:.2f} and {:.2f}",
+                                         box_psnr(*ewa), box_psnr(*feline), ewa->butteraugli, feline->butteraugli));
     judge(claim, psnr_ahead(ewa->gaussian, feline->gaussian) <= 1);
   }
   claim.reason =

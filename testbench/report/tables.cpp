@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
 
 #include "testbench/page/plot.h"
 
@@ -47,6 +48,21 @@ std::string identifier(std::string name) {
   return name;
 }
 
+// From a power of ten to where the names of the dearest have room.
+void fit_costs(page::Axis& axis, const std::vector<Cell>& cells, const Currency& currency) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = 0;
+  for (const Cell& cell : cells) {
+    const double cost = currency.counts(cell) ? currency.of(cell) : 0;
+    if (!(cost > 0)) continue;
+    low = std::min(low, cost);
+    high = std::max(high, cost);
+  }
+  if (high == 0) return;
+  axis.low = std::pow(10, std::floor(std::log10(low)));
+  axis.high = 4 * high;
+}
+
 page::Cell plain(std::string text) { return {std::move(text)}; }
 
 page::Cell cost(const Cell& cell, const Currency& currency, const std::array<std::vector<const Cell*>, 2>& fronts) {
@@ -65,7 +81,7 @@ std::string decibels(double psnr) { return std::isfinite(psnr) ? fmt::format("{:
 
 page::Table standing_table(const std::vector<Cell>& cells) {
   page::Table table;
-  table.columns = {{"filter"},      {"PSNR, Gaussian", true}, {"PSNR, box", true}, {"RMSE x 1000, Gaussian", true},
+  table.columns = {{"filter"},      {"PSNR, Gaussian", true}, {"PSNR, box", true}, {"RMSE x 1000", true},
                    {"worst", true}, {"Butteraugli", true},    {"probes", true}};
   for (const Currency& currency : kCurrencies) table.columns.push_back({std::string(currency.title), true});
   const bool moves = std::ranges::any_of(cells, [](const Cell& cell) { return cell.gaussian.shimmer.has_value(); });
@@ -105,6 +121,7 @@ std::string standing_plot(const std::string& name, const std::string& title, con
   plot.x.label = currency.label;
   plot.x.log = true;
   plot.y.label = "PSNR, dB";
+  fit_costs(plot.x, cells, currency);
   page::Series front{"Pareto front", {}, page::Style::kLines};
   page::Series papers{"papers, double", {}, page::Style::kPoints};
   page::Series unit{"the 8-bit unit", {}, page::Style::kPoints};
