@@ -98,7 +98,7 @@ EwaEllipse plan_ewa(const MipMap& map, const EwaParameters& parameters, const Gr
     ellipse.level = choose_level(map, bounded_minor(ellipse_axes(in_texels(normalized, map.base()))));
   }
   const Axes<double> axes = ellipse_axes(in_texels(normalized, map.levels[static_cast<std::size_t>(ellipse.level)]));
-  const double widen = ellipse.level == 0 ? 1 : 0;
+  const double widen = ellipse.level == 0 && parameters.reconstructs ? 1 : 0;
   const auto [major, minor] =
       limit_radii(std::hypot(axes.major_radius, widen), std::hypot(bounded_minor(axes), widen), ellipse.level);
   const double cosine = axes.major_radius == 0 ? 1 : axes.major.u / axes.major_radius;

@@ -11,6 +11,7 @@ namespace feline::reference {
 struct EwaParameters {
   bool mip_mapped = true;        // reads the level where the minor radius is 1.5 to 3 texels; false: level 0
   double max_eccentricity = 16;  // ellipses longer than this are widened, so that the time is bounded; 0: never
+  bool reconstructs = true;      // on level 0 the ellipse is united with the reconstruction filter; false: as it is
 };
 
 // d^2 = a u^2 + b u v + c v^2 of a point (u, v) off the middle, in texels of a level; d = 1 at the ellipse.

@@ -35,10 +35,12 @@ Colour sample_line(const MipMap& map, ProbeKernel kernel, const ProbeLine& line,
 }
 
 Colour sample_line_of_circles(const MipMap& map, const ProbeLine& line, const Vector2<double>& middle, Cost& cost) {
+  // Of the line's own radius, which is never below a texel.
+  constexpr EwaParameters kCircle{true, 0, false};
   const double radius = std::exp2(line.level_of_detail);
   const Gradients<double> circle{normalized({radius, 0}, map.base()), normalized({0, radius}, map.base())};
   return mean_of_probes(map, line, middle, [&](const Vector2<double>& at) {
-    return ewa_filter(map, EwaParameters{}, {at, circle}, cost);
+    return ewa_filter(map, kCircle, {at, circle}, cost);
   });
 }
 

@@ -3,36 +3,26 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <stdexcept>
 
 #include "testbench/measure/errors.h"
-#include "testbench/measure/images.h"
+#include "testbench/progress.h"
 
 namespace feline {
-namespace {
-
-// 2 * 10^2 samples in a pixel's square: the truth's own error is then below the least that is told here.
-constexpr int kStrata = 10;
-
-// Without RIP images, which take longest to make, and the unit's memory: neither is shown.
-Surface make_plain_surface(const Scene& scene) {
-  Surface surface;
-  surface.texture = scene.texture();
-  surface.images.lanczos = to_reference(surface.texture, {});
-  surface.images.box = to_reference(scene.texture(MipFilter::kBox), {});
-  return surface;
-}
-
-}  // namespace
 
 Exhibition::Exhibition(std::string_view name, int size) : detail_{0, 0, size} {
   const Scene& scene = find_scene(name);
-  surface_ = std::make_unique<Surface>(make_plain_surface(scene));
+  constexpr std::array kForms{reference::Form::kBox};
+  surface_ = std::make_unique<Surface>(make_surface(scene.texture(), {}, MipEdge::kRepeat, kForms));
   view_ = make_view(scene, *surface_, size, size);
 }
 
 const Truth& Exhibition::truth() const {
-  if (!truth_) truth_ = compute_truth(view_, kStrata, 1, nullptr);
+  if (!truth_) {
+    Progress progress(fmt::format("truth of {}", view_.name), view_.pixels.size());
+    truth_ = compute_truth(view_, kTruthStrata, 1, &progress);
+  }
   return *truth_;
 }
 

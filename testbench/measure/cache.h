@@ -9,8 +9,9 @@
 
 namespace feline {
 
-// Results of long work, kept in a directory under the hash of everything that they follow from, the program's own bytes
-// included: what another build or other input left is never taken. Entries appear whole or not at all, and one that was
+// Results of long work, kept in a directory under the hash of what they follow from, the program's own bytes included:
+// what another build or other input left is never taken. Libraries and the machine are not part of it; times are those
+// of the machine that measured them. Entries appear whole or not at all, and one that was
 // damaged is as good as none.
 class Cache {
  public:

@@ -14,7 +14,7 @@ namespace feline {
 namespace {
 
 CellErrors pool(const std::vector<Rendering>& renderings, const std::vector<Truth>& truths,
-                const FloatPicture Truth::*truth, const Exhibit& exhibit) {
+                const FloatPicture Truth::*truth, const Exhibit& exhibit, const Detail& close) {
   CellErrors pooled;
   const auto frames = static_cast<double>(renderings.size());
   const int channels = exhibit.channels();
@@ -26,6 +26,9 @@ CellErrors pool(const std::vector<Rendering>& renderings, const std::vector<Trut
       pooled.worst_frame = static_cast<int>(i);
     }
     pooled.errors.mean_square = mean;
+    pooled.butteraugli += perceptual_distance(crop(renderings[i].picture, close), crop(truths[i].*truth, close),
+                                              exhibit.srgb(), channels) /
+                          frames;
     if (i == 0) continue;
     pooled.shimmer =
         pooled.shimmer.value_or(0) + temporal_mean_square(renderings[i - 1].picture, truths[i - 1].*truth,
@@ -55,11 +58,9 @@ double rtl_cycles_of(const Exhibit& exhibit, const SamplerOptions& options) {
 }
 
 nlohmann::ordered_json to_json(const CellErrors& errors) {
-  nlohmann::ordered_json json{{"mean_square", errors.errors.mean_square},
-                              {"worst", errors.errors.worst},
-                              {"worst_column", errors.errors.worst_column},
-                              {"worst_row", errors.errors.worst_row},
-                              {"worst_frame", errors.worst_frame}};
+  nlohmann::ordered_json json{{"mean_square", errors.errors.mean_square},   {"worst", errors.errors.worst},
+                              {"worst_column", errors.errors.worst_column}, {"worst_row", errors.errors.worst_row},
+                              {"worst_frame", errors.worst_frame},          {"butteraugli", errors.butteraugli}};
   if (errors.shimmer) json["shimmer"] = *errors.shimmer;
   return json;
 }
@@ -67,7 +68,8 @@ nlohmann::ordered_json to_json(const CellErrors& errors) {
 CellErrors errors_from_json(const nlohmann::ordered_json& json) {
   CellErrors errors{{json.at("mean_square"), json.at("worst"), json.at("worst_column"), json.at("worst_row")},
                     json.at("worst_frame"),
-                    std::nullopt};
+                    std::nullopt,
+                    json.at("butteraugli")};
   if (json.contains("shimmer")) errors.shimmer = json.at("shimmer").get<double>();
   return errors;
 }
@@ -81,16 +83,14 @@ Cell measure_cell(const Contestant& contestant, const Exhibit& exhibit, const st
   Cell cell;
   cell.exhibit = exhibit.frames.front().name;
   cell.contestant = contestant.name;
-  cell.gaussian = pool(renderings, truths, &Truth::gaussian, exhibit);
-  cell.box = pool(renderings, truths, &Truth::box, exhibit);
+  cell.gaussian = pool(renderings, truths, &Truth::gaussian, exhibit, focus.quarter);
+  cell.box = pool(renderings, truths, &Truth::box, exhibit, focus.quarter);
   add_pixel_means(cell, renderings);
   if (contestant.sampler) {
     cell.rtl_cycles = rtl_cycles_of(exhibit, *contestant.sampler);
   }
   const FloatPicture& picture = renderings.front().picture;
   const FloatPicture& truth = truths.front().gaussian;
-  cell.butteraugli =
-      perceptual_distance(crop(picture, focus.quarter), crop(truth, focus.quarter), exhibit.srgb(), exhibit.channels());
   cell.detail_png = page::base64(detail_png(picture, focus.detail, exhibit.srgb(), exhibit.channels()));
   cell.difference_png = page::base64(detail_png(difference(picture, truth, kDifferenceGain), focus.detail, false, 3));
   if (std::ranges::any_of(renderings.front().probes, [](float probes) { return probes > 1; })) {
@@ -100,16 +100,10 @@ Cell measure_cell(const Contestant& contestant, const Exhibit& exhibit, const st
 }
 
 nlohmann::ordered_json to_json(const Cell& cell) {
-  nlohmann::ordered_json json{{"exhibit", cell.exhibit},
-                              {"contestant", cell.contestant},
-                              {"gaussian", to_json(cell.gaussian)},
-                              {"box", to_json(cell.box)},
-                              {"butteraugli", cell.butteraugli},
-                              {"nanoseconds", cell.nanoseconds},
-                              {"probes", cell.cost.probes},
-                              {"texels", cell.cost.texels},
-                              {"cycles", cell.cost.cycles},
-                              {"stamp_cycles", cell.cost.stamp_cycles}};
+  nlohmann::ordered_json json{
+      {"exhibit", cell.exhibit},    {"contestant", cell.contestant},   {"gaussian", to_json(cell.gaussian)},
+      {"box", to_json(cell.box)},   {"nanoseconds", cell.nanoseconds}, {"probes", cell.cost.probes},
+      {"texels", cell.cost.texels}, {"cycles", cell.cost.cycles},      {"stamp_cycles", cell.cost.stamp_cycles}};
   if (cell.rtl_cycles) json["rtl_cycles"] = *cell.rtl_cycles;
   json["detail_png"] = cell.detail_png;
   json["difference_png"] = cell.difference_png;
@@ -123,7 +117,6 @@ Cell cell_from_json(const nlohmann::ordered_json& json) {
   cell.contestant = json.at("contestant");
   cell.gaussian = errors_from_json(json.at("gaussian"));
   cell.box = errors_from_json(json.at("box"));
-  cell.butteraugli = json.at("butteraugli");
   cell.nanoseconds = json.at("nanoseconds");
   cell.cost = {json.at("probes"), json.at("texels"), json.at("cycles"), json.at("stamp_cycles")};
   if (json.contains("rtl_cycles")) cell.rtl_cycles = json.at("rtl_cycles").get<double>();

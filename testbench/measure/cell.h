@@ -12,11 +12,12 @@
 
 namespace feline {
 
-// Against one truth; means are over all frames.
+// Against one truth; the mean square is over all frames.
 struct CellErrors {
   Errors errors;
   int worst_frame = 0;            // of a sequence: that of the worst error
   std::optional<double> shimmer;  // mean square, of a sequence
+  double butteraugli = 0;         // perceptual_distance in the part that is looked at closely, mean over frames
 };
 
 // One contestant on one exhibit: error and run time. Costs are means a pixel.
@@ -25,7 +26,6 @@ struct Cell {
   std::string contestant;
   CellErrors gaussian;
   CellErrors box;
-  double butteraugli = 0;  // perceptual_distance from the Gaussian truth, in the part that is looked at closely
   double nanoseconds = 0;
   reference::Cost cost;
   std::optional<double> rtl_cycles;

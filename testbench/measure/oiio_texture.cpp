@@ -6,10 +6,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
 
+#include "testbench/error.h"
 #include "testbench/measure/render_rows.h"
 
 namespace feline {
@@ -19,9 +21,12 @@ namespace {
 class TextureFile {
  public:
   explicit TextureFile(const reference::MipMap& map) {
-    std::string pattern = (std::filesystem::temp_directory_path() / "feline-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) {
-      throw std::runtime_error(fmt::format("{}: no temporary directory", pattern));
+    std::error_code error;
+    const std::filesystem::path parent = std::filesystem::temp_directory_path(error);
+    std::string pattern = (parent / "feline-XXXXXX").string();
+    if (error || mkdtemp(pattern.data()) == nullptr) {
+      const char* const given = std::getenv("TMPDIR");
+      bad_input("environment", "TMPDIR", given == nullptr ? "" : given, "a directory that can be written to");
     }
     directory_ = pattern;
     const std::unique_ptr<OIIO::ImageOutput> file = OIIO::ImageOutput::create("exr");

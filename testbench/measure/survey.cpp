@@ -62,33 +62,44 @@ constexpr std::array<SplitNames, 2> kSplits{
     {{"bilinear", "feline_ideal", "feline_table", "unit_table"},
      {"gaussian", "feline_ideal_gaussian", "feline_table_gaussian", "unit_table_gaussian"}}};
 
-// One exhibit's share of a survey: builds what it needs when it needs it.
+class Clock {
+ public:
+  explicit Clock(std::optional<double> budget) : budget_(budget) {}
+  bool over() const {
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
+    return budget_ && spent.count() > *budget_;
+  }
+
+ private:
+  std::optional<double> budget_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+// One exhibit's share of a survey: builds what it needs when it needs it. Nothing is what the budget does not allow to
+// begin.
 class Work {
  public:
-  Work(const ExhibitPlan& plan, const SurveyOptions& options, const Cache& cache)
-      : plan_(plan), cache_(cache), strata_(options.strata), seed_(options.seed) {}
+  Work(const ExhibitPlan& plan, const SurveyOptions& options, const Cache& cache, const Clock& clock)
+      : plan_(plan), cache_(cache), clock_(clock), strata_(options.strata), seed_(options.seed) {}
 
-  TruthFacts truth(Progress* progress) {
-    return through_cache<TruthFacts>("facts", facts_from_json, [&] {
-      truths(progress);
-      return make_facts();
-    });
+  std::optional<TruthFacts> truth(Progress& progress) {
+    return within_budget<TruthFacts>("facts", facts_from_json, [&] { return make_facts(&progress); });
   }
-  Cell cell(const Contestant& contestant) {
-    return through_cache<Cell>("cell " + contestant.name, cell_from_json, [&] {
-      return measure_cell(contestant, exhibit(), truths(nullptr), truth(nullptr).focus);
-    });
+  std::optional<Cell> cell(const Contestant& contestant) {
+    return within_budget<Cell>("cell " + contestant.name, cell_from_json,
+                               [&] { return measure_cell(contestant, exhibit(), truths(nullptr), focus()); });
   }
-  Split split(const SplitNames& names) {
-    return through_cache<Split>(fmt::format("split {}", names.kernel), split_from_json,
+  std::optional<Split> split(const SplitNames& names) {
+    return within_budget<Split>(fmt::format("split {}", names.kernel), split_from_json,
                                 [&] { return make_split(names); });
   }
 
  private:
   template <typename Result, typename Parse, typename Make>
-  Result through_cache(const std::string& what, Parse parse, Make make) {
+  std::optional<Result> within_budget(const std::string& what, Parse parse, Make make) {
     const std::string key = cache_key(what);
     if (const auto stored = cache_.read(key)) return parse(nlohmann::ordered_json::parse(*stored));
+    if (clock_.over()) return std::nullopt;
     Result result = make();
     cache_.write(key, to_json(result).dump());
     return result;
@@ -116,8 +127,16 @@ class Work {
     return truths_;
   }
 
-  TruthFacts make_facts() {
-    const Truth& first = truths(nullptr).front();
+  // What is begun is finished, whatever the budget.
+  Focus focus() {
+    if (const auto stored = cache_.read(cache_key("facts"))) {
+      return facts_from_json(nlohmann::ordered_json::parse(*stored)).focus;
+    }
+    return make_facts(nullptr).focus;
+  }
+
+  TruthFacts make_facts(Progress* progress) {
+    const Truth& first = truths(progress).front();
     const FloatPicture trilinear = find_contestant("trilinear")->render(exhibit().frames.front(), nullptr).picture;
     TruthFacts facts;
     for (const Truth& frame : truths(nullptr)) {
@@ -140,35 +159,29 @@ class Work {
   }
 
   Split make_split(const SplitNames& names) {
-    const auto picture = [&](std::string_view name) {
-      return find_contestant(name)->render(exhibit().frames.front(), nullptr).picture;
-    };
-    const FloatPicture ideal = picture(names.ideal);
-    const FloatPicture table = picture(names.table);
+    Split split{std::string(names.kernel)};
+    const double share = 1.0 / plan_.frame_count;
     const int channels = exhibit().channels();
-    return {std::string(names.kernel), compare(ideal, truths(nullptr).front().gaussian, channels).mean_square,
-            compare(table, ideal, channels).mean_square, compare(picture(names.unit), table, channels).mean_square};
+    for (std::size_t i = 0; i < exhibit().frames.size(); ++i) {
+      const auto picture = [&](std::string_view name) {
+        return find_contestant(name)->render(exhibit().frames[i], nullptr).picture;
+      };
+      const FloatPicture ideal = picture(names.ideal);
+      const FloatPicture table = picture(names.table);
+      split.feline += share * compare(ideal, truths(nullptr)[i].gaussian, channels).mean_square;
+      split.table += share * compare(table, ideal, channels).mean_square;
+      split.arithmetic += share * compare(picture(names.unit), table, channels).mean_square;
+    }
+    return split;
   }
 
   const ExhibitPlan& plan_;
   const Cache& cache_;
+  const Clock& clock_;
   int strata_;
   std::uint64_t seed_;
   std::optional<Exhibit> exhibit_;
   std::vector<Truth> truths_;
-};
-
-class Clock {
- public:
-  explicit Clock(std::optional<double> budget) : budget_(budget) {}
-  bool over() const {
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
-    return budget_ && spent.count() > *budget_;
-  }
-
- private:
-  std::optional<double> budget_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 std::uint64_t pixel_count(const ExhibitPlan& plan) {
@@ -185,21 +198,25 @@ Survey run_survey(const SurveyOptions& options, const Cache& cache) {
   Survey survey;
   for (const ExhibitPlan& plan : options.exhibits) {
     ExhibitResult result{plan, std::nullopt, {}, {}};
-    Work work(plan, options, cache);
+    Work work(plan, options, cache, clock);
+    // `measure` gives whether it was allowed.
     const auto piece = [&](std::uint64_t share, std::uint64_t total, const auto& measure) {
       Progress part(progress, share, total);
-      if (clock.over()) {
-        ++survey.missing;
-      } else {
-        measure(part);
-      }
+      if (!measure(part)) ++survey.missing;
     };
-    piece(kTruthWork, pixel_count(plan), [&](Progress& part) { result.truth = work.truth(&part); });
+    const auto keep = [](auto& results, auto measured) {
+      if (measured) results.push_back(*std::move(measured));
+      return measured.has_value();
+    };
+    piece(kTruthWork, pixel_count(plan), [&](Progress& part) {
+      result.truth = work.truth(part);
+      return result.truth.has_value();
+    });
     for (const Contestant* const contestant : options.contestants) {
-      piece(kCellWork, 1, [&](Progress&) { result.cells.push_back(work.cell(*contestant)); });
+      piece(kCellWork, 1, [&](Progress&) { return keep(result.cells, work.cell(*contestant)); });
     }
     for (const SplitNames& names : kSplits) {
-      piece(kCellWork, 1, [&](Progress&) { result.splits.push_back(work.split(names)); });
+      piece(kCellWork, 1, [&](Progress&) { return keep(result.splits, work.split(names)); });
     }
     survey.results.push_back(std::move(result));
   }

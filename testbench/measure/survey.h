@@ -23,9 +23,9 @@ struct TruthFacts {
   std::string box_png;
 };
 
-// Where the unit's error comes from: mean squares between one picture and the next.
+// Where the unit's error comes from: mean squares between one picture and the next, over all frames.
 struct Split {
-  std::string kernel;     // of the probes
+  std::string kernel{};   // of the probes
   double feline = 0;      // Gaussian truth to Feline with the exact ellipse, double
   double table = 0;       // from there to the 16 x 16 table, double
   double arithmetic = 0;  // from there to the 8-bit unit
@@ -43,7 +43,7 @@ struct SurveyOptions {
   std::vector<const Contestant*> contestants;
   int strata = kTruthStrata;
   std::uint64_t seed = 1;
-  std::optional<double> budget;  // seconds after which nothing new is begun
+  std::optional<double> budget;  // seconds after which nothing is begun that the cache does not hold
 };
 
 struct Survey {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
@@ -91,6 +92,11 @@ int run_filter(const RenderOptions& options) {
     bad_input("command line", "--allow-non-finite", "given", "nothing together with --filter");
   }
   const SamplerOptions choice = options.sampler.one();
+  const bool coloured = std::ranges::any_of(choice.border, [](double channel) { return channel != 0; });
+  if (coloured && contestant->kind == Contestant::Kind::kLibrary) {
+    bad_input("command line", "--border", fmt::format("{}", fmt::join(choice.border, ",")),
+              "0,0,0,0 with this filter, whose border is black");
+  }
   Subject subject = options.subject.load(mip_edge(choice));
   reference::Wrapping wrapping{choice.wrap_s, choice.wrap_t, {}};
   for (std::size_t c = 0; c < 4; ++c) wrapping.border[c] = static_cast<float>(choice.border[c]);

@@ -8,7 +8,9 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <iostream>
+#include <new>
 #include <system_error>
 
 #include "testbench/atomic_file.h"
@@ -46,6 +48,9 @@ int run(const std::vector<std::string>& arguments, int argc, char** argv) {
   feline::remove_temporaries_when_killed();
   try {
     program.parse(argc, argv);
+  } catch (const std::filesystem::filesystem_error& error) {
+    complain(error.what());
+    return feline::kBadInput;
   } catch (const std::system_error& error) {
     // Of what is written here only standard output goes through a library that throws this.
     complain(fmt::format("standard output: {}", error.what()));
@@ -75,8 +80,11 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   try {
     return run({argv, argv + argc}, argc, argv);
+  } catch (const std::bad_alloc&) {
+    complain("out of memory: smaller pictures and textures take less");
+    return feline::kBadInput;
   } catch (const std::exception& error) {
-    // Bad input, out of memory, a stale build: never to be taken for a mismatch.
+    // Bad input, a stale build: never to be taken for a mismatch.
     complain(error.what());
     return feline::kBadInput;
   }

@@ -18,7 +18,7 @@ struct Claim {
   bool ours = false;  // a bound of this project: the report fails when it is broken
   Verdict verdict = Verdict::kNotMeasured;
   std::vector<std::string> measured{};  // a line each
-  // Of the scenes that the statement speaks of, those that were measured.
+  // Of the scenes that the statement speaks of, those that were judged.
   std::size_t scenes = 0;
   std::size_t wanted_scenes = 0;
   std::string reason{};  // where the measurement contradicts the statement
@@ -29,7 +29,7 @@ std::vector<Claim> judge_claims(const Survey& survey);
 // "holds", "contradicted, 1 of 7 scenes", ...
 std::string verdict_text(const Claim& claim);
 
-// How far the 8-bit unit falls behind Table Feline in double, decibels against the Gaussian truth. Judged where a
+// How far the 8-bit unit falls behind Table Feline in double, decibels against either truth. Judged where a
 // picture's sides are at least kLeastJudgedSide pixels: of less there is too little to see a quarter of a decibel in.
 inline constexpr double kUnitBound = 0.25;
 inline constexpr int kLeastJudgedSide = 256;

@@ -15,10 +15,22 @@ namespace feline {
 namespace {
 
 // Whose pictures are shown where more are measured than these.
-constexpr std::array<std::string_view, 12> kPrincipal{
-    "nearest", "trilinear",     "ext",          "rip_pixel",  "vertex_max_staggered",
-    "texram",  "feline_simple", "feline_table", "unit_table", "unit_table_gaussian",
-    "ewa",     "openimageio"};
+constexpr std::array<std::string_view, 16> kPrincipal{"nearest",
+                                                      "trilinear",
+                                                      "ext",
+                                                      "rip_pixel",
+                                                      "vertex_max_staggered",
+                                                      "texram",
+                                                      "feline_ideal",
+                                                      "feline_simple",
+                                                      "feline_simple_high_quality",
+                                                      "feline_simple_high_quality_gaussian",
+                                                      "feline_simple_high_efficiency",
+                                                      "feline_table",
+                                                      "unit_table",
+                                                      "unit_table_gaussian",
+                                                      "ewa",
+                                                      "openimageio"};
 
 std::string introduction(const Survey& survey) {
   std::string html = page::paragraph(

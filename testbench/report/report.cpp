@@ -2,12 +2,12 @@
 #include "testbench/report/report.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "testbench/report/claims.h"
+#include "testbench/report/csv.h"
 #include "testbench/report/page.h"
 #include "testbench/report/standing.h"
 
@@ -20,7 +20,8 @@ nlohmann::ordered_json to_json(const CellErrors& errors) {
                               {"worst", errors.errors.worst},
                               {"worst_column", errors.errors.worst_column},
                               {"worst_row", errors.errors.worst_row},
-                              {"worst_frame", errors.worst_frame}};
+                              {"worst_frame", errors.worst_frame},
+                              {"butteraugli", errors.butteraugli}};
   if (std::isfinite(errors.errors.psnr())) json["psnr"] = errors.errors.psnr();
   if (errors.shimmer) json["shimmer"] = std::sqrt(*errors.shimmer);
   return json;
@@ -31,7 +32,6 @@ nlohmann::ordered_json row_to_json(const Cell& cell) {
   nlohmann::ordered_json json{{"filter", cell.contestant},
                               {"gaussian", to_json(cell.gaussian)},
                               {"box", to_json(cell.box)},
-                              {"butteraugli", cell.butteraugli},
                               {"nanoseconds", cell.nanoseconds}};
   if (told) {
     json["probes"] = cell.cost.probes;
@@ -41,6 +41,15 @@ nlohmann::ordered_json row_to_json(const Cell& cell) {
   }
   if (cell.rtl_cycles) json["rtl_cycles"] = *cell.rtl_cycles;
   return json;
+}
+
+nlohmann::ordered_json rows_to_json(const std::vector<Cell>& cells) {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const Cell& cell : cells) {
+    rows.push_back(row_to_json(cell));
+    rows.back()["pareto"] = fronts_of(cells, cell);
+  }
+  return rows;
 }
 
 nlohmann::ordered_json to_json(const ExhibitResult& result) {
@@ -54,11 +63,7 @@ nlohmann::ordered_json to_json(const ExhibitResult& result) {
                      {"gaussian_error", result.truth->gaussian_error},
                      {"box_error", result.truth->box_error}};
   }
-  json["filters"] = nlohmann::ordered_json::array();
-  for (const Cell& cell : result.cells) {
-    json["filters"].push_back(row_to_json(cell));
-    json["filters"].back()["pareto"] = fronts_of(result.cells, cell);
-  }
+  json["filters"] = rows_to_json(result.cells);
   json["unit_error"] = nlohmann::ordered_json::array();
   for (const Split& split : result.splits) {
     json["unit_error"].push_back({{"kernel", split.kernel},
@@ -77,36 +82,6 @@ nlohmann::ordered_json to_json(const Claim& claim) {
                               {"measured", claim.measured}};
   if (claim.verdict == Verdict::kContradicted) json["reason"] = claim.reason;
   return json;
-}
-
-std::string number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
-
-// RFC 4180: a user's own file may be called anything.
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string field = "\"";
-  for (const char c : text) field += c == '"' ? "\"\"" : std::string(1, c);
-  return field + "\"";
-}
-
-std::string to_csv(const Survey& survey) {
-  std::string csv =
-      "scene,filter,rmse_gaussian,psnr_gaussian,worst_gaussian,rmse_box,psnr_box,worst_box,butteraugli,shimmer_gaussian,nanoseconds,probes,texels,cycles,stamp_cycles,rtl_cycles,pareto\n";
-  for (const ExhibitResult& result : survey.results) {
-    for (const Cell& cell : result.cells) {
-      const bool told = find_contestant(cell.contestant)->kind != Contestant::Kind::kLibrary;
-      const auto cost = [&](double value) { return told ? number(value) : std::string(); };
-      csv += fmt::format(
-          "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(result.plan.name), cell.contestant,
-          number(cell.gaussian.errors.rmse()), number(cell.gaussian.errors.psnr()), number(cell.gaussian.errors.worst),
-          number(cell.box.errors.rmse()), number(cell.box.errors.psnr()), number(cell.box.errors.worst),
-          number(cell.butteraugli), cell.gaussian.shimmer ? number(std::sqrt(*cell.gaussian.shimmer)) : "",
-          number(cell.nanoseconds), cost(cell.cost.probes), cost(cell.cost.texels), cost(cell.cost.cycles),
-          cost(cell.cost.stamp_cycles), cell.rtl_cycles ? number(*cell.rtl_cycles) : "",
-          fmt::join(fronts_of(result.cells, cell), " "));
-    }
-  }
-  return csv;
 }
 
 std::string to_text(const Survey& survey, const std::vector<Claim>& claims) {
@@ -150,6 +125,7 @@ Report make_report(const Survey& survey) {
   report.json = {{"missing", survey.missing}};
   if (judged) report.json["holds"] = report.holds;
   for (const ExhibitResult& result : survey.results) report.json["scenes"].push_back(to_json(result));
+  if (survey.results.size() > 1) report.json["all_scenes"] = rows_to_json(pool_exhibits(survey));
   for (const Claim& claim : claims) report.json["claims"].push_back(to_json(claim));
   report.csv = to_csv(survey);
   report.text = to_text(survey, claims);

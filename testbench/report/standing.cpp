@@ -14,6 +14,7 @@ double mean_square(const Cell& cell, const TruthKind& truth) { return (cell.*tru
 
 void add_errors(CellErrors& sum, const CellErrors& errors, double share) {
   sum.errors.mean_square += share * errors.errors.mean_square;
+  sum.butteraugli += share * errors.butteraugli;
   sum.errors.worst = std::max(sum.errors.worst, errors.errors.worst);
 }
 
@@ -86,7 +87,6 @@ std::vector<Cell> pool_exhibits(const Survey& survey) {
       if (cell == nullptr) break;
       add_errors(all.gaussian, cell->gaussian, share);
       add_errors(all.box, cell->box, share);
-      all.butteraugli += share * cell->butteraugli;
       all.nanoseconds += share * cell->nanoseconds;
       all.cost += share * cell->cost;
       if (cell->rtl_cycles) all.rtl_cycles = all.rtl_cycles.value_or(0) + share * *cell->rtl_cycles;

@@ -99,11 +99,12 @@ page::Table standing_table(const std::vector<Cell>& cells) {
   });
   for (const Cell* const cell : sorted) {
     const bool known = find_contestant(cell->contestant)->kind != Contestant::Kind::kLibrary;
-    table.rows.push_back(
-        {plain(cell->contestant), plain(decibels(cell->gaussian.errors.psnr())),
-         plain(decibels(cell->box.errors.psnr())), plain(fmt::format("{:.2f}", 1000 * cell->gaussian.errors.rmse())),
-         plain(fmt::format("{:.3f}", cell->gaussian.errors.worst)), plain(fmt::format("{:.2f}", cell->butteraugli)),
-         plain(known ? fmt::format("{:.2f}", cell->cost.probes) : "")});
+    table.rows.push_back({plain(cell->contestant), plain(decibels(cell->gaussian.errors.psnr())),
+                          plain(decibels(cell->box.errors.psnr())),
+                          plain(fmt::format("{:.2f}", 1000 * cell->gaussian.errors.rmse())),
+                          plain(fmt::format("{:.3f}", cell->gaussian.errors.worst)),
+                          plain(fmt::format("{:.2f}", cell->gaussian.butteraugli)),
+                          plain(known ? fmt::format("{:.2f}", cell->cost.probes) : "")});
     for (std::size_t i = 0; i < kCurrencies.size(); ++i) {
       table.rows.back().push_back(cost(*cell, kCurrencies[i], fronts[i]));
     }

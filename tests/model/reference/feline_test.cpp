@@ -175,7 +175,7 @@ TEST(reference_feline, weights_by_hand) {
   EXPECT_NEAR(plan_feline(axes_of(6, 4), kExact, 20).falloff, 2 * 4.0 / 9, 1e-12);
 }
 
-// Each probe is every texel within its radius, weighted by exp(-2 d^2); on level 0 the squared radius is one more.
+// Each probe is every texel within the line's own radius, weighted by exp(-2 d^2).
 TEST(reference_feline, line_of_circles) {
   const SeedTrace trace(__FILE__, __LINE__);
   Random random = random_for("reference_feline.line_of_circles");
@@ -193,7 +193,7 @@ TEST(reference_feline, line_of_circles) {
       const double weight = std::exp(-line.falloff * n * n / 4);
       add_weighted(sum, weight,
                    brute_ewa(noise.base(), kRepeated, u + n * line.step.u / 2, v + n * line.step.v / 2,
-                             {{radius, 0}, {0, radius}}, 1)
+                             {{radius, 0}, {0, radius}}, 0)
                        .mean());
       weights += weight;
     }

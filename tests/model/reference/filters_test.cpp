@@ -52,7 +52,12 @@ TEST(reference_filters, read_their_images) {
   for (const Filter& filter : filters()) {
     Cost cost;
     const auto got = filtered(filter, images, lookup_at(images.box.base(), 9, 9, {{4, 1}, {0, 2}}), cost);
-    EXPECT_NEAR(got[0], is_ewa(filter) ? 0.5 : filter.name.starts_with("rip") ? 0.75 : 0.25, 1e-15) << filter.name;
+    EXPECT_NEAR(got[0],
+                filter.name.starts_with("ewa")   ? 0.5
+                : filter.name.starts_with("rip") ? 0.75
+                                                 : 0.25,
+                1e-15)
+        << filter.name;
   }
 }
 

@@ -165,6 +165,22 @@ TEST(measure_contestant, forms) {
   EXPECT_TRUE(own.surface.images.rip.levels.empty());
 }
 
+// Mip-mapped EWA against every texel of level 0, on pictures: in codes of 255, 2 on the root mean square and 32 at
+// most.
+TEST(measure_contestant, mip_mapped_ewa_is_near_every_texel_of_level_0) {
+  for (const Scene& scene : scenes()) {
+    constexpr std::array kBox{reference::Form::kBox};
+    const Surface surface = make_surface(scene.texture(), {}, MipEdge::kRepeat, kBox);
+    const View view = make_view(scene, surface, 64, 64);
+    const auto picture = [&](const char* name) { return find_contestant(name)->render(view, nullptr).picture; };
+    const Errors errors = compare(picture("ewa"), picture("ewa_level0"), bytes_per_texel(surface.texture.format));
+    EXPECT_LT(255 * errors.rmse(), 2) << scene.name;
+    EXPECT_LT(255 * errors.worst, 32) << scene.name;
+    // They are not one and the same: only a magnified texture is read on level 0 by both.
+    EXPECT_EQ(errors.worst > 0.001, scene.name != "magnify") << scene.name;
+  }
+}
+
 TEST(measure_contestant, openimageio_is_near_the_truth) {
   const Surface surface = make_surface(find_scene("checkerboard").texture(), {}, MipEdge::kRepeat);
   const View view = make_view(find_scene("checkerboard"), surface, 32, 32);

@@ -128,6 +128,24 @@ TEST(measure_survey, a_budget_of_nothing) {
   EXPECT_TRUE(std::filesystem::is_empty(dir / "cache"));
 }
 
+// What is known already costs nothing.
+TEST(measure_survey, a_budget_of_nothing_for_what_is_known) {
+  const TempDir dir;
+  const Cache cache(dir / "cache");
+  SurveyOptions options = options_of({"bricks"}, {"trilinear"});
+  const Survey whole = run_survey(options, cache);
+  options.budget = 0;
+  const Survey again = run_survey(options, cache);
+  EXPECT_EQ(again.missing, 0U);
+  EXPECT_EQ(told(again, true), told(whole, true));
+  SurveyOptions more = options_of({"bricks"}, {"nearest", "trilinear"});
+  more.budget = 0;
+  const Survey partly = run_survey(more, cache);
+  EXPECT_EQ(partly.missing, 1U);
+  ASSERT_EQ(partly.results[0].cells.size(), 1U);
+  EXPECT_EQ(partly.results[0].cells[0].contestant, "trilinear");
+}
+
 // The truth's own error is that of the channels that the texture has.
 TEST(measure_survey, one_channel_has_its_own_error) {
   const TempDir dir;

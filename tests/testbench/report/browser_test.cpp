@@ -50,9 +50,9 @@ TEST(report_browser_long, the_report) {
   for (const int width : {kWide, kNarrow}) {
     for (const bool unfolded : {false, true}) {
       SCOPED_TRACE(testing::Message() << width << " pixels wide, unfolded " << unfolded);
-      // Three pages of six plots; for each scene the whole picture, two truths, two pictures of each filter, and the
-      // probes of the only one that takes several.
-      expect_whole(visit(dir, dir / "report" / "report.html", width, unfolded), 3 * 6, 2 * (1 + 2 + 2 * 3 + 1));
+      // Eight plots of each scene and of both together; for each scene the whole picture, two truths, two pictures of
+      // each filter, and the probes of the only one that takes several.
+      expect_whole(visit(dir, dir / "report" / "report.html", width, unfolded), 3 * 8, 2 * (1 + 2 + 2 * 3 + 1));
     }
   }
 }

@@ -50,6 +50,26 @@ TEST(report_claims, eight_bits_suffice) {
   }
 }
 
+// Each truth counts: cell_of's is the same against both.
+TEST(report_claims, eight_bits_suffice_against_either_truth) {
+  for (CellErrors Cell::*const truth : {&Cell::gaussian, &Cell::box}) {
+    std::vector<Cell> cells{cell_of("feline_table", 30), cell_of("unit_table", 30)};
+    (cells[1].*truth).errors.mean_square = mean_square_of(29);
+    EXPECT_EQ(verdict("8 bits suffice", "any", cells), Verdict::kContradicted);
+  }
+}
+
+// Two kernels of a scene are one scene, and one that is too small is not judged.
+TEST(report_claims, eight_bits_are_judged_by_the_scene) {
+  const std::vector<Cell> cells{cell_of("feline_table", 30), cell_of("unit_table", 30),
+                                cell_of("feline_table_gaussian", 30), cell_of("unit_table_gaussian", 30)};
+  ExhibitResult small = result_of("spin", cells);
+  small.plan.width = kLeastJudgedSide / 2;
+  EXPECT_EQ(verdict_text(claim_of("8 bits suffice", survey_of({result_of("bricks", cells), small}))),
+            "holds, 1 of 2 scenes");
+  EXPECT_EQ(verdict_text(claim_of("8 bits suffice", survey_of({result_of("bricks", cells)}))), "holds");
+}
+
 // Bounds of this project fail the report; a paper's sentence does not.
 TEST(report_claims, only_ours_break_the_report) {
   const auto report_of = [](double unit, double simple) {
@@ -148,6 +168,20 @@ TEST(report_claims, comparable_to_ewa) {
   EXPECT_EQ(with(1 - kLittle), Verdict::kHolds);
   EXPECT_EQ(with(-3), Verdict::kHolds);
   EXPECT_EQ(with(1 + kLittle), Verdict::kContradicted);
+}
+
+// What circles of texels gain is a mean over all scenes that have them, also those where they lose.
+TEST(report_claims, what_the_probes_are_of_the_distance_to_ewa) {
+  const auto exhibit = [](const char* name, double feline, double circles) {
+    return result_of(name,
+                     {cell_of("ewa", 40), cell_of("feline_ideal", feline), cell_of("feline_ideal_circles", circles)});
+  };
+  const Claim claim =
+      claim_of("Feline is comparable to EWA",
+               survey_of({exhibit("text", 30, 36), exhibit("bricks", 36, 35), exhibit("curves", 34, 35)}));
+  EXPECT_NE(claim.reason.find("gain +2.0 dB of the 6.7 that Feline is behind, on the mean of 3 scenes"),
+            std::string::npos)
+      << claim.reason;
 }
 
 // Small pictures are not judged, and errors that 8 bits do not show are none.

@@ -66,7 +66,7 @@ bool has_only_numbers(const nlohmann::ordered_json& json) {
 
 TEST(report_report, every_csv_row_is_as_long_as_the_header) {
   const auto rows = rows_of(make_report(odd_survey()).csv);
-  ASSERT_EQ(rows.size(), 1U + 5 + 4);
+  ASSERT_EQ(rows.size(), 1U + 5 + 4 + 4);
   for (const auto& row : rows) EXPECT_EQ(row.size(), rows[0].size());
   EXPECT_EQ(rows[1][0], "it's, a \"view\" <&>");
   const auto field = [&](std::size_t row, std::string_view name) {
@@ -83,6 +83,11 @@ TEST(report_report, every_csv_row_is_as_long_as_the_header) {
   EXPECT_EQ(field(3, "texels"), "");
   EXPECT_EQ(field(6, "filter"), "ewa");
   EXPECT_NEAR(std::stod(field(6, "shimmer_gaussian")), 0.02, 1e-12);
+  EXPECT_NEAR(std::stod(field(6, "shimmer_box")), 0.01, 1e-12);
+  // What both scenes have, together.
+  for (std::size_t row = 10; row <= 13; ++row) EXPECT_EQ(field(row, "scene"), "all");
+  EXPECT_EQ(field(10, "filter"), "unit_table");
+  EXPECT_EQ(field(10, "texels"), "40");
 }
 
 TEST(report_report, csv_names_the_fronts) {
@@ -111,6 +116,8 @@ TEST(report_report, json_is_json) {
   EXPECT_NEAR(still["unit_error"][0]["feline_rmse"], 0.01, 1e-15);
   EXPECT_NEAR(report.json["scenes"][1]["filters"][0]["gaussian"]["shimmer"], 0.02, 1e-15);
   EXPECT_EQ(report.json["claims"].size(), 9U);
+  ASSERT_EQ(report.json["all_scenes"].size(), 4U);
+  EXPECT_EQ(report.json["all_scenes"][0]["filter"], "unit_table");
   EXPECT_EQ(still["filters"][1]["pareto"], (std::vector<std::string>{"gaussian:rtl_cycles", "box:rtl_cycles"}));
   EXPECT_TRUE(still["filters"][2]["pareto"].empty());
 }

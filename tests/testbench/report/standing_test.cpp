@@ -83,8 +83,8 @@ TEST(report_standing, pooled_over_exhibits) {
   b.gaussian.errors.worst = 0.75;
   a.box.errors.mean_square = 0.5;
   b.box.errors.mean_square = 0.25;
-  a.butteraugli = 0.5;
-  b.butteraugli = 0.25;
+  a.gaussian.butteraugli = 0.5;
+  b.gaussian.butteraugli = 0.25;
   Cell unit_a = cell_of("unit_table", 30);
   Cell unit_b = cell_of("unit_table", 30);
   unit_a.rtl_cycles = 10;
@@ -100,7 +100,7 @@ TEST(report_standing, pooled_over_exhibits) {
   EXPECT_DOUBLE_EQ(all.gaussian.errors.mean_square, (0.001 + 0.01) / 2);
   EXPECT_DOUBLE_EQ(all.box.errors.mean_square, 0.375);
   EXPECT_DOUBLE_EQ(all.gaussian.errors.worst, 0.75);
-  EXPECT_DOUBLE_EQ(all.butteraugli, 0.375);
+  EXPECT_DOUBLE_EQ(all.gaussian.butteraugli, 0.375);
   EXPECT_DOUBLE_EQ(all.nanoseconds, 400);
   EXPECT_DOUBLE_EQ(all.cost.probes, 4);
   EXPECT_DOUBLE_EQ(all.cost.texels, 32);
