@@ -156,7 +156,8 @@ std::vector<Filter> make_filters() {
                    return feline_circles_filter(images.lanczos, kExact, pixel.lookup, cost);
                  }});
   all.push_back(ewa_row("ewa", "every texel inside the ellipse, mip-mapped", EwaParameters{}));
-  all.push_back(ewa_row("ewa_level0", "every texel of level 0 inside the ellipse, of which 2^18 are the most", EwaParameters{false, 0}));
+  all.push_back(ewa_row("ewa_level0", "every texel of level 0 inside the ellipse, of which 2^18 are the most",
+                        EwaParameters{false, 0}));
   return all;
 }
 

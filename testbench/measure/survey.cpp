@@ -205,8 +205,9 @@ Survey run_survey(const SurveyOptions& options, const Cache& cache) {
       if (!measure(part)) ++survey.missing;
     };
     const auto keep = [](auto& results, auto measured) {
-      if (measured) results.push_back(*std::move(measured));
-      return measured.has_value();
+      if (!measured) return false;
+      results.push_back(*std::move(measured));
+      return true;
     };
     piece(kTruthWork, pixel_count(plan), [&](Progress& part) {
       result.truth = work.truth(part);

@@ -139,8 +139,7 @@ Claim gaussian_probes(const Survey& survey) {
                   [](double ahead) { return ahead > 0; });
   claim.reason =
       "The Gaussian of radius sqrt(2) is wider than the bilinear tent, and on top of mip levels that are filtered "
-      "already it blurs by more than the pixel's own filter does. It removes aliasing, which a decibel does not single "
-      "out: look at the pictures.";
+      "already it blurs by more than the pixel's own filter does. Nor does it remove aliasing: look at the shimmer.";
   return claim;
 }
 

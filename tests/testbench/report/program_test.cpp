@@ -210,6 +210,8 @@ TEST(report_program, a_filter_is_not_the_unit) {
   expect_refused(dir, render + "ewa --bias 1", {"--bias", "--filter"});
   expect_refused(dir, render + "ewa --allow-non-finite", {"--allow-non-finite", "--filter"});
   expect_refused(dir, render + "openimageio --map", {"--map", "this filter"});
+  expect_refused(dir, render + "openimageio --wrap clamp_to_border --border 1,0,0,1", {"--border", "1,0,0,1", "black"});
+  expect_refused(dir, render + "openimageio", {"TMPDIR", "/nonexistent"}, "TMPDIR=/nonexistent");
   expect_refused(dir, "render --size 8 --filter ewa --output /nonexistent/a.png", {"/nonexistent"});
   expect_refused(dir, "render --size 8 --filter ewa --output " + path(dir, "a.jpg"), {"a.jpg", ".png"});
 }
