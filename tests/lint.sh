@@ -18,6 +18,9 @@ sources=$(find model rtl tables testbench tests -not -path 'tables/generated/*' 
 long=$(find CMakeLists.txt README.md model rtl tables testbench tests -type f -not -path 'tables/generated/*' -not -name '*.png' \
   -exec awk 'END { if (NR > 400) print FILENAME ": " NR }' {} \;)
 [[ -z $long ]] || fail "files over 400 lines: $long"
+# clang-format leaves strings whole.
+wide=$(awk 'length > 120 { print FILENAME ":" FNR }' $sources)
+[[ -z $wide ]] || fail "lines over 120 columns: $wide"
 
 # Data flows one way: tables -> model -> testbench -> tests; OpenImageIO in the testbench only.
 flows() {

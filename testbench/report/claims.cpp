@@ -190,15 +190,15 @@ Claim as_ewa(const Survey& survey) {
     judge(claim, psnr_ahead(ewa->gaussian, feline->gaussian) <= 1);
   }
   claim.reason =
-      "A 2 x 2 probe between two mip levels is a pyramid of up to four texels' width that moves with the texel grid. The "
-      "line's weights are those of the whole ellipse, and the probes' own width comes on top; 16 probes reach a ratio of "
-      "8.5, where EWA's limit here is 16; and radii below a texel are clamped to one, where EWA unites the ellipse with "
-      "the reconstruction filter. To the eye the difference is small: see Butteraugli.";
+      "A 2 x 2 probe between two mip levels is a pyramid of up to four texels' width that moves with the texel grid. "
+      "The line's weights are those of the whole ellipse, and the probes' own width comes on top; 16 probes reach a "
+      "ratio of 8.5, where EWA's limit here is 16; and radii below a texel are clamped to one, where EWA unites the "
+      "ellipse with the reconstruction filter. To the eye the difference is small: see Butteraugli.";
   if (compared != 0) {
     const auto scenes = static_cast<double>(compared);
     claim.reason += fmt::format(
-        " Circles of texels on the very same line, levels and radii, weighed as EWA weighs them, gain {:+.1f} dB of the "
-        "{:.1f} that Feline is behind, on the mean of {} scenes: so much are the probes, and the rest is the line.",
+        " Circles of texels on the very same line, levels and radii, weighed as EWA weighs them, gain {:+.1f} dB of "
+        "the {:.1f} that Feline is behind, on the mean of {} scenes: so much are the probes, and the rest is the line.",
         gained / scenes, behind / scenes, compared);
   }
   return claim;

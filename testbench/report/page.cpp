@@ -41,9 +41,9 @@ std::string introduction(const Survey& survey) {
       "Gaussian exp(-2 r^2) ends at a radius of one pixel; the box is one pixel wide. Errors are given against both, "
       "because the order of the filters turns with the truth.",
       "Errors: PSNR in decibels below full, root mean square (RMSE) and worst channel, in linear light, without the "
-      "outermost pixels; where no truth is named, the Gaussian. Butteraugli: libjxl's perceptual distance from the Gaussian truth (3-norm, 80 cd/m^2), of "
-      "which about 1 can just be seen, in the quarter of the picture where trilinear filtering fails most. Shimmer: "
-      "RMS change of the error from one frame of a sequence to the next.",
+      "outermost pixels; where no truth is named, the Gaussian. Butteraugli: libjxl's perceptual distance from the "
+      "Gaussian truth (3-norm, 80 cd/m^2), of which about 1 can just be seen, in the quarter of the picture where "
+      "trilinear filtering fails most. Shimmer: RMS change of the error from one frame of a sequence to the next.",
       "Nanoseconds: processor time of one thread, in double precision and without vector instructions; EWA computes "
       "its exponentials, of which a table of 128 would make it faster; interpolating the axes of vertex-based filters "
       "is the rasteriser's and not counted. The unit's are those of its C++ model, and say nothing of hardware.",
