@@ -136,8 +136,9 @@ TEST(measure_contestant, openimageio_takes_the_surfaces_levels) {
   for (const int level : {0, 1, 3}) {
     const auto step = static_cast<float>(1 << level) / 64;
     for (std::size_t i = 0; i < shown.view.gbuffer.lookups.size(); ++i) {
+      const std::size_t rows_above = i / 16;
       const auto column = static_cast<float>(i % 16);
-      const auto row = static_cast<float>(i / 16);
+      const auto row = static_cast<float>(rows_above);
       shown.view.gbuffer.lookups[i] = {(column + 0.5F) * step, (row + 0.5F) * step, step, 0, 0, step};
     }
     const FloatPicture picture = find_contestant("openimageio")->render(shown.view, nullptr).picture;
