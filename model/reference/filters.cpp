@@ -44,7 +44,7 @@ Filter ewa_row(std::string name, std::string_view description, const EwaParamete
           [parameters](const Images& images, const Pixel& pixel, Cost& cost) {
             return ewa_filter(images.box, parameters, pixel.lookup, cost);
           },
-          Form::kBox};
+          Pyramid::kBox};
 }
 
 Filter vertex_based_row(std::string_view system_name, AxisSystem system, std::string_view pattern_name,
@@ -129,7 +129,7 @@ std::vector<Filter> make_filters() {
        [](const Images& images, const Pixel& pixel, Cost& cost) {
          return rip_polygon_filter(images.rip, pixel.polygon_middle, pixel.lookup, cost);
        },
-       Form::kRip},
+       Pyramid::kRip},
       {"rip_pixel",
        "four images of fitting ratio for each pixel",
        kRip,
@@ -137,7 +137,7 @@ std::vector<Filter> make_filters() {
        [](const Images& images, const Pixel& pixel, Cost& cost) {
          return rip_pixel_filter(images.rip, pixel.lookup, cost);
        },
-       Form::kRip},
+       Pyramid::kRip},
   };
   add_vertex_based(all);
   all.push_back({"texram",

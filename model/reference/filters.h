@@ -15,15 +15,15 @@
 
 namespace feline::reference {
 
-// The texture in every form that a filter may ask for.
+// The pyramids of filtered images that a filter may ask for.
 struct Images {
-  MipMap lanczos;  // mip levels by a Lanczos filter of radius 3, for all but EWA (WRL 99/1, section 4)
+  MipMap lanczos;  // mip levels by a Lanczos filter of radius 3, for all but EWA and RIP mapping (WRL 99/1, section 4)
   MipMap box;      // by a box filter, for EWA
   RipMap rip;      // by Lanczos, each direction on its own
 };
 
-// One of them.
-enum class Form : std::uint8_t { kLanczos, kBox, kRip };
+// One of these.
+enum class Pyramid : std::uint8_t { kLanczos, kBox, kRip };
 
 // What a filter is told of a pixel: the lookup, and what rasterising the surface's mesh adds to it.
 struct Pixel {
@@ -39,7 +39,7 @@ struct Filter {
   std::string_view source;                // paper and section
   std::optional<AxisSystem> axis_system;  // which axes it wants in Pixel::axes
   std::function<Colour(const Images& images, const Pixel& pixel, Cost& cost)> run;
-  Form form = Form::kLanczos;  // the only one that it reads
+  Pyramid pyramid = Pyramid::kLanczos;  // the only one that it reads
 };
 
 // All of them, from the plainest to EWA.

@@ -20,8 +20,8 @@ struct ProbeLine {
 Colour sample_line(const MipMap& map, ProbeKernel kernel, const ProbeLine& line, const Vector2<double>& middle,
                    Cost& cost);
 
-// Every texel in a circle around each place, weighted by exp(-2 d^2), as EWA reads a round pixel: the probe that the 2
-// x 2 texels stand for. Tells the error of the line from that of its probes.
+// Every texel in a circle of the line's own radius around each place, weighted by exp(-2 d^2): the probe that the 2 x 2
+// texels stand for. Tells the error of the probes from the rest.
 Colour sample_line_of_circles(const MipMap& map, const ProbeLine& line, const Vector2<double>& middle, Cost& cost);
 
 }  // namespace feline::reference

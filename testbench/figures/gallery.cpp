@@ -13,8 +13,8 @@ namespace feline {
 
 Exhibition::Exhibition(std::string_view name, int size) : detail_{0, 0, size} {
   const Scene& scene = find_scene(name);
-  constexpr std::array kForms{reference::Form::kBox};
-  surface_ = std::make_unique<Surface>(make_surface(scene.texture(), {}, MipEdge::kRepeat, kForms));
+  constexpr std::array kPyramids{reference::Pyramid::kBox};
+  surface_ = std::make_unique<Surface>(make_surface(scene.texture(), {}, MipEdge::kRepeat, kPyramids));
   view_ = make_view(scene, *surface_, size, size);
 }
 

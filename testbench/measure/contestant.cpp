@@ -16,7 +16,7 @@ namespace {
 Contestant reference_contestant(const reference::Filter& filter) {
   Contestant contestant{
       filter.name, Contestant::Kind::kReference, std::string(filter.description), std::string(filter.source), {}, {}};
-  contestant.form = filter.form;
+  contestant.pyramid = filter.pyramid;
   contestant.render = [&filter](const View& view, Progress* progress) {
     const reference::Images& images = view.surface->images;
     if (!filter.axis_system) {

@@ -34,7 +34,7 @@ struct Contestant {
   std::string source;
   std::optional<SamplerOptions> sampler;  // of the unit
   std::function<Rendering(const View& view, Progress* progress)> render;
-  reference::Form form = reference::Form::kLanczos;  // of the surface, that it needs
+  reference::Pyramid pyramid = reference::Pyramid::kLanczos;  // of the surface's, the one that it reads
 };
 
 // Reference filters, then the unit as "unit_<mode>...", then "openimageio". The unit wraps as the surface does.

@@ -44,18 +44,18 @@ reference::MipMap to_reference(const Texture& texture, const reference::Wrapping
 }
 
 reference::Images make_images(const Texture& texture, const reference::Wrapping& wrapping, MipEdge edge,
-                              std::span<const reference::Form> wanted) {
-  const auto wants = [&](reference::Form form) { return std::ranges::find(wanted, form) != wanted.end(); };
+                              std::span<const reference::Pyramid> wanted) {
+  const auto wants = [&](reference::Pyramid pyramid) { return std::ranges::find(wanted, pyramid) != wanted.end(); };
   const int channels = bytes_per_texel(texture.format);
   const MipLevel& base = texture.levels.front();
   reference::Images images;
   images.lanczos = to_reference(texture, wrapping);
-  if (wants(reference::Form::kBox)) {
+  if (wants(reference::Pyramid::kBox)) {
     images.box = to_reference(
         Texture{texture.format, texture.srgb, build_mip_chain(base, channels, MipFilter::kBox, texture.srgb, edge)},
         wrapping);
   }
-  if (wants(reference::Form::kRip)) {
+  if (wants(reference::Pyramid::kRip)) {
     const RipChain rip = build_rip_chain(base, channels, MipFilter::kLanczos, texture.srgb, edge);
     images.rip = {rip.columns, rip.rows, {}, images.lanczos.wrapping};
     for (const MipLevel& image : rip.images) {

@@ -15,10 +15,11 @@ namespace feline {
 reference::Level to_reference(const MipLevel& level, TexelFormat format, bool srgb);
 reference::MipMap to_reference(const Texture& texture, const reference::Wrapping& wrapping);
 
-// The forms of a texture: Lanczos levels, always, which are the texture's own, and of the others, which are made from
-// its level 0, those that are wanted.
-inline constexpr std::array kAllForms{reference::Form::kLanczos, reference::Form::kBox, reference::Form::kRip};
+// The pyramids of a texture: Lanczos levels, always, which are the texture's own, and of the others, which are made
+// from its level 0, those that are wanted.
+inline constexpr std::array kAllPyramids{reference::Pyramid::kLanczos, reference::Pyramid::kBox,
+                                         reference::Pyramid::kRip};
 reference::Images make_images(const Texture& texture, const reference::Wrapping& wrapping, MipEdge edge,
-                              std::span<const reference::Form> wanted = kAllForms);
+                              std::span<const reference::Pyramid> wanted = kAllPyramids);
 
 }  // namespace feline

@@ -84,8 +84,9 @@ Rendering render_oiio(const View& view, Progress* progress) {
     const Lookup& at = view.gbuffer.lookups[i];
     OIIO::TextureOpt own = options;
     std::array<float, 4> result{};
-    if (!system->texture(handle, nullptr, own, at.s, at.t, at.dsdx, at.dtdx, at.dsdy, at.dtdy, 4, result.data()))
+    if (!system->texture(handle, nullptr, own, at.s, at.t, at.dsdx, at.dtdx, at.dsdy, at.dtdy, 4, result.data())) {
       failed = true;
+    }
     reference::Colour colour{};
     for (std::size_t c = 0; c < 4; ++c) colour[c] = double{result[c]};
     return colour;

@@ -52,7 +52,7 @@ std::vector<reference::Pixel> plain_pixels(const GBuffer& gbuffer) {
 }  // namespace
 
 Surface make_surface(Texture texture, const reference::Wrapping& wrapping, MipEdge edge,
-                     std::span<const reference::Form> wanted) {
+                     std::span<const reference::Pyramid> wanted) {
   Surface surface;
   surface.images = make_images(texture, wrapping, edge, wanted);
   surface.memory = layout_texture(texture);

@@ -15,14 +15,14 @@
 
 namespace feline {
 
-// A texture that is looked at, in the forms that something wants it in.
+// A texture that is looked at, in the pyramids that something wants.
 struct Surface {
   Texture texture;  // Lanczos mip levels
   TextureMemory memory;
   reference::Images images;
 };
 Surface make_surface(Texture texture, const reference::Wrapping& wrapping, MipEdge edge,
-                     std::span<const reference::Form> wanted = kAllForms);
+                     std::span<const reference::Pyramid> wanted = kAllPyramids);
 
 // One picture to be made of it.
 struct View {

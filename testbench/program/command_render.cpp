@@ -101,7 +101,7 @@ int run_filter(const RenderOptions& options) {
   reference::Wrapping wrapping{choice.wrap_s, choice.wrap_t, {}};
   for (std::size_t c = 0; c < 4; ++c) wrapping.border[c] = static_cast<float>(choice.border[c]);
   const Surface surface =
-      make_surface(std::move(subject.texture), wrapping, mip_edge(choice), std::span(&contestant->form, 1));
+      make_surface(std::move(subject.texture), wrapping, mip_edge(choice), std::span(&contestant->pyramid, 1));
   const int width = subject.gbuffer.width;
   const int height = subject.gbuffer.height;
   const View view = options.subject.gbuffer.empty() ? make_view(find_scene(subject.name), surface, width, height)

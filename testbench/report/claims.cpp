@@ -198,7 +198,8 @@ Claim as_ewa(const Survey& survey) {
     const auto scenes = static_cast<double>(compared);
     claim.reason += fmt::format(
         " Circles of texels on the very same line, levels and radii, weighed as EWA weighs them, gain {:+.1f} dB of "
-        "the {:.1f} that Feline is behind, on the mean of {} scenes: so much are the probes, and the rest is the line.",
+        "the {:.1f} that Feline is behind, on the mean of {} scenes: so much are the probes; the rest is all that they "
+        "share.",
         gained / scenes, behind / scenes, compared);
   }
   return claim;

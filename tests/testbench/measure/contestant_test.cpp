@@ -152,12 +152,13 @@ TEST(measure_contestant, openimageio_takes_the_surfaces_levels) {
   }
 }
 
-// A filter reads no other form of the surface than it says.
-TEST(measure_contestant, forms) {
+// A filter reads no other pyramid of the surface than it says.
+TEST(measure_contestant, pyramids) {
   const Shown whole("sphere");
   Shown own("sphere");
   for (const Contestant& contestant : contestants()) {
-    own.surface = make_surface(small_scene("sphere").texture(), {}, MipEdge::kRepeat, std::span(&contestant.form, 1));
+    own.surface =
+        make_surface(small_scene("sphere").texture(), {}, MipEdge::kRepeat, std::span(&contestant.pyramid, 1));
     own.view.surface = &own.surface;
     const auto picture = contestant.render(own.view, nullptr).picture;
     EXPECT_EQ(picture.pixels, contestant.render(whole.view, nullptr).picture.pixels) << contestant.name;
@@ -170,7 +171,7 @@ TEST(measure_contestant, forms) {
 // most.
 TEST(measure_contestant, mip_mapped_ewa_is_near_every_texel_of_level_0) {
   for (const Scene& scene : scenes()) {
-    constexpr std::array kBox{reference::Form::kBox};
+    constexpr std::array kBox{reference::Pyramid::kBox};
     const Surface surface = make_surface(scene.texture(), {}, MipEdge::kRepeat, kBox);
     const View view = make_view(scene, surface, 64, 64);
     const auto picture = [&](const char* name) { return find_contestant(name)->render(view, nullptr).picture; };
