@@ -39,34 +39,58 @@ constexpr std::int64_t table_index(std::int64_t numerator, std::int64_t denomina
   return std::min<std::int64_t>(steps * numerator / denominator, steps - 1);
 }
 
-template <Config kConfig>
-struct LongVector {
+// The gradients of a footprint: the longer one, the length of the other, and their products.
+struct Gradients {
   std::int64_t u, v, length;
-  bool is_x;
+  bool longer_is_x;
+  std::int64_t shorter_length;
+  std::int64_t cross, dot;
 };
 
 template <Config kConfig>
-void table_footprint(const LongVector<kConfig>& longer, std::int64_t shorter_length, std::int64_t cross,
-                     std::int64_t dot, FootprintBeat<kConfig>& beat) {
-  using F = Formats<kConfig>;
+constexpr Gradients gradients_of(const GroupBeat<kConfig>& group) {
+  const std::int64_t dudx = group.dudx.raw();
+  const std::int64_t dvdx = group.dvdx.raw();
+  const std::int64_t dudy = group.dudy.raw();
+  const std::int64_t dvdy = group.dvdy.raw();
+  const std::int64_t x_length = vector_length(dudx, dvdx);
+  const std::int64_t y_length = vector_length(dudy, dvdy);
+  const std::int64_t cross = dudx * dvdy - dvdx * dudy;
+  const std::int64_t dot = dudx * dudy + dvdx * dvdy;
+  if (x_length > y_length) return {dudx, dvdx, x_length, true, y_length, cross, dot};
+  return {dudy, dvdy, y_length, false, x_length, cross, dot};
+}
+
+// Where gradients lie in the ellipse table.
+struct TableCell {
+  std::int64_t row, column;
+};
+
+template <Config kConfig>
+constexpr TableCell table_cell(const Gradients& gradients) {
   constexpr int kHalf = kConfig.table_columns / 2;
-  const bool turns = cross != 0 && dot != 0;
-  const bool counter_clockwise = longer.is_x ^ (cross < 0) ^ (dot < 0);
-  const std::int64_t cross_size = std::abs(cross);
-  const std::int64_t dot_size = std::abs(dot);
-  const std::int64_t row = table_index(shorter_length, longer.length, kConfig.table_rows);
-  const std::int64_t column = cross_size < dot_size ? table_index(cross_size, dot_size, kHalf)
-                                                    : kHalf + table_index(dot_size, cross_size, kHalf);
+  const std::int64_t cross = std::abs(gradients.cross);
+  const std::int64_t dot = std::abs(gradients.dot);
+  return {table_index(gradients.shorter_length, gradients.length, kConfig.table_rows),
+          cross < dot ? table_index(cross, dot, kHalf) : kHalf + table_index(dot, cross, kHalf)};
+}
+
+template <Config kConfig>
+void table_footprint(const Gradients& gradients, FootprintBeat<kConfig>& beat) {
+  using F = Formats<kConfig>;
+  const bool turns = gradients.cross != 0 && gradients.dot != 0;
+  const bool counter_clockwise = gradients.longer_is_x ^ (gradients.cross < 0) ^ (gradients.dot < 0);
+  const TableCell cell = table_cell<kConfig>(gradients);
   const EllipseEntry entry = ellipse_entry(
-      kConfig, roms<kConfig>().ellipse.words[static_cast<std::size_t>(row * kConfig.table_columns + column)]);
+      kConfig, roms<kConfig>().ellipse.words[static_cast<std::size_t>(cell.row * kConfig.table_columns + cell.column)]);
   const std::int64_t turned = turns ? (counter_clockwise ? entry.uv_scale_90 : -entry.uv_scale_90) : 0;
   // uvScale has one fraction bit less than the vector.
-  beat.major_u = beat.major_u.from_raw(2 * longer.u * entry.uv_scale - longer.v * turned);
-  beat.major_v = beat.major_v.from_raw(2 * longer.v * entry.uv_scale + longer.u * turned);
+  beat.major_u = beat.major_u.from_raw(2 * gradients.u * entry.uv_scale - gradients.v * turned);
+  beat.major_v = beat.major_v.from_raw(2 * gradients.v * entry.uv_scale + gradients.u * turned);
   beat.major_radius =
-      beat.major_radius.from_raw(round_up_ties(longer.length * entry.major_radius, F::kTableScale.fraction_bits));
+      beat.major_radius.from_raw(round_up_ties(gradients.length * entry.major_radius, F::kTableScale.fraction_bits));
   beat.minor_radius =
-      beat.minor_radius.from_raw(round_up_ties(longer.length * entry.minor_radius, F::kTableFraction.fraction_bits));
+      beat.minor_radius.from_raw(round_up_ties(gradients.length * entry.minor_radius, F::kTableFraction.fraction_bits));
 }
 
 template <Config kConfig>
@@ -76,37 +100,26 @@ FootprintBeat<kConfig> footprint(const GroupBeat<kConfig>& group, const SamplerS
   beat.s = group.s;
   beat.t = group.t;
   beat.exponent = group.exponent;
-  const Mode wanted = static_cast<Mode>(sampler.mode.raw());
-  const Mode mode = supported_mode<kConfig>(wanted);
+  const Mode mode = supported_mode<kConfig>(static_cast<Mode>(sampler.mode.raw()));
   beat.status = beat.status.from_raw(group.status.raw() | unsupported_status<kConfig>(sampler));
 
-  const std::int64_t dudx = group.dudx.raw();
-  const std::int64_t dvdx = group.dvdx.raw();
-  const std::int64_t dudy = group.dudy.raw();
-  const std::int64_t dvdy = group.dvdy.raw();
-  const std::int64_t x_length = vector_length(dudx, dvdx);
-  const std::int64_t y_length = vector_length(dudy, dvdy);
-  const bool x_is_longer = x_length > y_length;
-  const LongVector<kConfig> longer =
-      x_is_longer ? LongVector<kConfig>{dudx, dvdx, x_length, true} : LongVector<kConfig>{dudy, dvdy, y_length, false};
-  const std::int64_t shorter_length = x_is_longer ? y_length : x_length;
-
+  const Gradients gradients = gradients_of<kConfig>(group);
   if (mode == Mode::kTable) {
-    const std::int64_t cross = dudx * dvdy - dvdx * dudy;
-    const std::int64_t dot = dudx * dudy + dvdx * dvdy;
-    table_footprint<kConfig>(longer, shorter_length, cross, dot, beat);
+    table_footprint<kConfig>(gradients, beat);
     return beat;
   }
-  std::int64_t minor = longer.length;
-  if (mode == Mode::kExt) minor = shorter_length;
+  std::int64_t minor = gradients.length;
+  if (mode == Mode::kExt) minor = gradients.shorter_length;
   if (mode == Mode::kSimple) {
-    minor =
-        std::min({shorter_length, vector_length(dudx + dudy, dvdx + dvdy), vector_length(dudx - dudy, dvdx - dvdy)});
+    const std::int64_t sum = vector_length(group.dudx.raw() + group.dudy.raw(), group.dvdx.raw() + group.dvdy.raw());
+    const std::int64_t difference =
+        vector_length(group.dudx.raw() - group.dudy.raw(), group.dvdx.raw() - group.dvdy.raw());
+    minor = std::min({gradients.shorter_length, sum, difference});
   }
   const std::int64_t one = beat.major_u.kFormatOf.one();
-  beat.major_u = beat.major_u.from_raw(longer.u * one);
-  beat.major_v = beat.major_v.from_raw(longer.v * one);
-  beat.major_radius = beat.major_radius.from_raw(longer.length);
+  beat.major_u = beat.major_u.from_raw(gradients.u * one);
+  beat.major_v = beat.major_v.from_raw(gradients.v * one);
+  beat.major_radius = beat.major_radius.from_raw(gradients.length);
   beat.minor_radius = beat.minor_radius.from_raw(minor);
   return beat;
 }

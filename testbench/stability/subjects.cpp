@@ -111,15 +111,11 @@ Branches branches(const Case& of) {
   Branches all;
   all.mantissas = {grouped.dudx.raw(), grouped.dvdx.raw(), grouped.dudy.raw(), grouped.dvdy.raw()};
   all.exponent = grouped.exponent.raw();
-  const auto& [dudx, dvdx, dudy, dvdy] = all.mantissas;
-  const std::int64_t x = vector_length(dudx, dvdx);
-  const std::int64_t y = vector_length(dudy, dvdy);
-  const std::int64_t cross = std::abs(dudx * dvdy - dvdx * dudy);
-  const std::int64_t dot = std::abs(dudx * dudy + dvdx * dvdy);
-  constexpr int kHalf = kDefaultConfig.table_columns / 2;
-  all.x_is_longer = x > y;
-  all.row = table_index(std::min(x, y), std::max(x, y), kDefaultConfig.table_rows);
-  all.column = cross < dot ? table_index(cross, dot, kHalf) : kHalf + table_index(dot, cross, kHalf);
+  const Gradients gradients = gradients_of<kDefaultConfig>(grouped);
+  const TableCell cell = table_cell<kDefaultConfig>(gradients);
+  all.x_is_longer = gradients.longer_is_x;
+  all.row = cell.row;
+  all.column = cell.column;
   return all;
 }
 
