@@ -2,7 +2,7 @@
 // accumulate: the weighted probes of a pixel to its colour, rounded once.
 //
 // Takes  colour U8.28, unit 1/255, and weight U1.8 of each probe; first and last.
-// Gives  colour U8.8, unit 1/255, with the last probe.
+// Gives  colour U8.8, unit 1/255, with the last probe; the status bits of all probes.
 // Rounds the exact weighted sum, U8.36, to 8 fraction bits: nearest, ties up. Weights sum to exactly one, so equal
 //        texels come back exactly, and the result lies within the texels that have weight: every texel is a multiple of
 //        the result's last bit, and rounding to its multiples is monotone.
@@ -19,22 +19,27 @@
 namespace feline {
 
 template <Config kConfig>
-using Accumulator = std::array<Fixed<Formats<kConfig>::kAccumulated>, 4>;
+struct Accumulator {
+  std::array<Fixed<Formats<kConfig>::kAccumulated>, 4> colour;
+  Fixed<Formats<kConfig>::kStatus> status;
+};
 
 template <Config kConfig>
 std::optional<AccumulateBeat<kConfig>> accumulate(const FilterBeat<kConfig>& filter, Accumulator<kConfig>& sum) {
   using F = Formats<kConfig>;
+  const bool first = filter.first.raw() != 0;
   for (std::size_t c = 0; c < 4; ++c) {
-    const std::int64_t carried = filter.first.raw() != 0 ? 0 : sum[c].raw();
-    sum[c] = sum[c].from_raw(carried + filter.colour[c].raw() * filter.weight.raw());
+    const std::int64_t carried = first ? 0 : sum.colour[c].raw();
+    sum.colour[c] = sum.colour[c].from_raw(carried + filter.colour[c].raw() * filter.weight.raw());
   }
+  sum.status = sum.status.from_raw((first ? 0 : sum.status.raw()) | filter.status.raw());
   if (filter.last.raw() == 0) return std::nullopt;
   AccumulateBeat<kConfig> beat;
   beat.tag = filter.tag;
-  beat.status = filter.status;
+  beat.status = sum.status;
   for (std::size_t c = 0; c < 4; ++c) {
-    beat.colour[c] =
-        beat.colour[c].from_raw(round_up_ties(sum[c].raw(), F::kAccumulated.fraction_bits - F::kPixel.fraction_bits));
+    beat.colour[c] = beat.colour[c].from_raw(
+        round_up_ties(sum.colour[c].raw(), F::kAccumulated.fraction_bits - F::kPixel.fraction_bits));
   }
   return beat;
 }

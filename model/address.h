@@ -78,10 +78,8 @@ LevelTexels<kConfig> level_texels(const WalkBeat<kConfig>& walk, const SamplerSt
   const std::int64_t width = std::max<std::int64_t>(sampler.width.raw() >> level, 1);
   const std::int64_t height = std::max<std::int64_t>(sampler.height.raw() >> level, 1);
   LevelTexels<kConfig> texels{
-      axis_texels<kConfig>(walk.s.raw(), width, supported_wrap<kConfig>(static_cast<Wrap>(sampler.wrap_s.raw())),
-                           linear),
-      axis_texels<kConfig>(walk.t.raw(), height, supported_wrap<kConfig>(static_cast<Wrap>(sampler.wrap_t.raw())),
-                           linear),
+      axis_texels<kConfig>(walk.s.raw(), width, supported_wrap<kConfig>(sampler.wrap_s), linear),
+      axis_texels<kConfig>(walk.t.raw(), height, supported_wrap<kConfig>(sampler.wrap_t), linear),
       {}};
   constexpr std::int64_t kTileMask = (std::int64_t{1} << kTileLog2) - 1;
   const std::int64_t tiles_a_row = (width + kTileMask) >> kTileLog2;

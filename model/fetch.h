@@ -6,11 +6,13 @@
 // Rounds sRGB decoding of red, green, blue: to nearest, by table. Other texels are exact: code * 16.
 // Edges  R8 gives (r, 0, 0, 1), RG8 (r, g, 0, 1); alpha is never decoded; a texel outside is the sampler state's border
 //        colour, which is linear and has the format's channels only. Texels of a coarse level that is not used are 0.
+//        Unsupported: alpha other than 255 where the configuration has no place for it; it is then 255.
 // Source CS248A lecture 4, step 6; IEC 61966-2-1 (sRGB); OpenGL 4.6, 8.14.2 (border), table 15.1 (missing channels).
 #pragma once
 
 #include <array>
 
+#include "model/features.h"
 #include "model/memory.h"
 #include "tables/roms.h"
 #include "tables/sampler_state.h"
@@ -22,8 +24,7 @@ typename FetchBeat<kConfig>::Texel decode_texel(std::span<const std::uint8_t> li
                                                 const SamplerState<kConfig>& sampler) {
   using Channel = Fixed<Formats<kConfig>::kChannel>;
   constexpr int kFraction = kConfig.channel_fraction_bits;
-  const auto format = static_cast<TexelFormat>(sampler.texel_format.raw());
-  const int channels = bytes_per_texel(format);
+  const int channels = bytes_per_texel(supported_format<kConfig>(sampler));
   const auto slot = static_cast<std::size_t>(y % kTileSide * kTileSide + x % kTileSide);
   const bool decodes = sampler.srgb.raw() != 0 && kConfig.features.srgb;
   typename FetchBeat<kConfig>::Texel texel{};
@@ -40,9 +41,9 @@ typename FetchBeat<kConfig>::Texel decode_texel(std::span<const std::uint8_t> li
 template <Config kConfig>
 FetchBeat<kConfig> fetch(const AddressBeat<kConfig>& address, const SamplerState<kConfig>& sampler,
                          const TextureMemory& memory) {
+  using F = Formats<kConfig>;
   FetchBeat<kConfig> beat;
   beat.tag = address.tag;
-  beat.status = address.status;
   beat.probe = address.probe;
   beat.first = address.first;
   beat.last = address.last;
@@ -60,14 +61,26 @@ FetchBeat<kConfig> fetch(const AddressBeat<kConfig>& address, const SamplerState
     if (outside) return sampler.border;
     return decode_texel<kConfig>(memory.line(lines[i].raw()), xs[i % 2].raw(), ys[i / 2].raw(), sampler);
   };
+  // What the configuration has no channel for.
+  constexpr auto kOpaque = Fixed<F::kChannel>::from_raw(std::int64_t{255} << kConfig.channel_fraction_bits);
+  constexpr int kChannels = channel_count(kConfig.features);
+  bool missing = false;
+  const auto cut = [&](Texel texel) {
+    for (std::size_t c = kChannels; c < 3; ++c) texel[c] = {};
+    if (kChannels == 4 && kConfig.features.alpha) return texel;
+    missing = missing || (kChannels == 4 && texel[3] != kOpaque);
+    texel[3] = kOpaque;
+    return texel;
+  };
   const std::array fine{&beat.fine_00, &beat.fine_10, &beat.fine_01, &beat.fine_11};
   const std::array coarse{&beat.coarse_00, &beat.coarse_10, &beat.coarse_01, &beat.coarse_11};
   for (std::size_t i = 0; i < 4; ++i) {
-    *fine[i] = read(address.fine_x, address.fine_y, address.fine_border, address.fine_line, i);
+    *fine[i] = cut(read(address.fine_x, address.fine_y, address.fine_border, address.fine_line, i));
     if (address.coarse_used.raw() != 0) {
-      *coarse[i] = read(address.coarse_x, address.coarse_y, address.coarse_border, address.coarse_line, i);
+      *coarse[i] = cut(read(address.coarse_x, address.coarse_y, address.coarse_border, address.coarse_line, i));
     }
   }
+  beat.status = beat.status.from_raw(address.status.raw() | unsupported_if(missing));
   return beat;
 }
 

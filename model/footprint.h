@@ -8,7 +8,8 @@
 //        table: the ellipse, through its table.
 // Rounds lengths are exact; table: major_u, major_v are exact, both radii nearest, ties up.
 // Edges  Equal lengths: y is the long vector. A zero shorter vector: ratio 0, column of 90 degrees. Cross or dot
-//        product zero: the axes are the vectors themselves, nothing is turned. All zero: radii 0.
+//        product zero: the axes are the vectors themselves, nothing is turned. All zero: radii 0. A cell of the table
+//        that the configuration leaves out: all 0, unsupported.
 // Source WRL 99/1, 3.2 (lengths, Simple), 3.3 (Table, its rotation corrected: a counter-clockwise turn by 90 degrees
 //        takes (u, v) to (-v, u)); EXT_texture_filter_anisotropic.
 //        Where 3.2 chooses a part of the length by b < 3a/8, the larger part is taken here: with the choice, (120, 44)
@@ -81,8 +82,9 @@ void table_footprint(const Gradients& gradients, FootprintBeat<kConfig>& beat) {
   const bool turns = gradients.cross != 0 && gradients.dot != 0;
   const bool counter_clockwise = gradients.longer_is_x ^ (gradients.cross < 0) ^ (gradients.dot < 0);
   const TableCell cell = table_cell<kConfig>(gradients);
-  const EllipseEntry entry = ellipse_entry(
-      kConfig, roms<kConfig>().ellipse.words[static_cast<std::size_t>(cell.row * kConfig.table_columns + cell.column)]);
+  const auto word = static_cast<std::size_t>(cell.row * kConfig.table_columns + cell.column);
+  const EllipseEntry entry = ellipse_entry(kConfig, roms<kConfig>().ellipse.words[word]);
+  beat.status = beat.status.from_raw(beat.status.raw() | unsupported_if(!kConfig.table_cells.has(word)));
   const std::int64_t turned = turns ? (counter_clockwise ? entry.uv_scale_90 : -entry.uv_scale_90) : 0;
   // uvScale has one fraction bit less than the vector.
   beat.major_u = beat.major_u.from_raw(2 * gradients.u * entry.uv_scale - gradients.v * turned);
@@ -100,7 +102,7 @@ FootprintBeat<kConfig> footprint(const GroupBeat<kConfig>& group, const SamplerS
   beat.s = group.s;
   beat.t = group.t;
   beat.exponent = group.exponent;
-  const Mode mode = supported_mode<kConfig>(static_cast<Mode>(sampler.mode.raw()));
+  const Mode mode = supported_mode<kConfig>(sampler);
   beat.status = beat.status.from_raw(group.status.raw() | unsupported_status<kConfig>(sampler));
 
   const Gradients gradients = gradients_of<kConfig>(group);

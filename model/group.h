@@ -10,7 +10,8 @@
 //        NaN coordinates are 0; infinite ones are +-2^19 (clamps) or 0 (repeats). A NaN or infinite derivative gives
 //        the unbounded footprint (127, 0), (0, 127), exponent 63. exponent > 63 saturates; exponent < -64 gives zeros
 //        at -64. -128 never occurs: negating a gradient negates its mantissas. Status: coordinate or derivative not
-//        finite; overflow where a clamp saturates a finite coordinate or exponent > 63 saturates.
+//        finite; overflow where a clamp saturates a finite coordinate or exponent > 63 saturates; unsupported where the
+//        configuration's exponent is narrower than that and saturates, or has no place for a derivative that is not 0.
 // Source McCormack et al., WRL 99/1, 3.2 (group scaling); CS248A lecture 4, steps 2 and 4.
 #pragma once
 
@@ -23,10 +24,13 @@
 
 namespace feline {
 
+// A configuration may have a narrower one, outside which a lookup is unsupported.
+inline constexpr Format kFullExponent = Formats<kDefaultConfig>::kExponent;
+
 struct FloatParts {
-  bool negative;
-  int exponent;           // biased
-  std::int64_t fraction;  // 23 bits
+  bool negative = false;
+  int exponent = 0;           // biased
+  std::int64_t fraction = 0;  // 23 bits
   bool finite() const { return exponent != 255; }
   bool normal() const { return exponent != 0 && finite(); }
   std::int64_t significand() const { return (std::int64_t{1} << 23) | fraction; }
@@ -74,23 +78,34 @@ GroupBeat<kConfig> group(const RequestBeat<kConfig>& request, const SamplerState
   beat.tag = request.tag;
   const FloatParts s = float_parts(request.s.raw());
   const FloatParts t = float_parts(request.t.raw());
-  const auto wrap_s = static_cast<Wrap>(sampler.wrap_s.raw());
-  const auto wrap_t = static_cast<Wrap>(sampler.wrap_t.raw());
+  const Wrap wrap_s = supported_wrap<kConfig>(sampler.wrap_s);
+  const Wrap wrap_t = supported_wrap<kConfig>(sampler.wrap_t);
   beat.s = to_position<kConfig>(s, wrap_s);
   beat.t = to_position<kConfig>(t, wrap_t);
 
-  const std::array<FloatParts, 4> parts{float_parts(request.dsdx.raw()), float_parts(request.dtdx.raw()),
-                                        float_parts(request.dsdy.raw()), float_parts(request.dtdy.raw())};
+  std::array<FloatParts, 4> parts{float_parts(request.dsdx.raw()), float_parts(request.dtdx.raw()),
+                                  float_parts(request.dsdy.raw()), float_parts(request.dtdy.raw())};
+  constexpr Features kFeatures = kConfig.features;
+  constexpr std::array kPlaces{kFeatures.dudx, kFeatures.dvdx, kFeatures.dudy, kFeatures.dvdy};
   const bool finite = std::ranges::all_of(parts, [](const FloatParts& p) { return p.finite(); });
   const bool overflows = (s.finite() && saturates<kConfig>(s, wrap_s)) || (t.finite() && saturates<kConfig>(t, wrap_t));
-  const std::int64_t status = (s.finite() && t.finite() ? 0 : kCoordinateNotFinite) |
-                              (finite ? 0 : kDerivativeNotFinite) | (overflows ? kOverflow : 0);
-  beat.status = beat.status.from_raw(status);
+  bool missing = false;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (kPlaces[i]) continue;
+    missing = missing || parts[i].exponent != 0;
+    parts[i] = {};
+  }
+  const auto raise = [&](std::int64_t status) { beat.status = beat.status.from_raw(beat.status.raw() | status); };
+  raise((s.finite() && t.finite() ? 0 : kCoordinateNotFinite) | (finite ? 0 : kDerivativeNotFinite) |
+        (overflows ? kOverflow : 0) | unsupported_if(missing));
 
   constexpr std::int64_t kMax = F::kMantissa.max_raw();
+  constexpr bool kIsNarrow = F::kExponent.max_raw() < kFullExponent.max_raw();
   if (!finite) {
+    raise(unsupported_if(kIsNarrow || !kFeatures.dudx || !kFeatures.dvdy));
     beat.exponent = beat.exponent.from_raw(F::kExponent.max_raw());
-    beat.dudx = beat.dvdy = Mantissa::from_raw(kMax);
+    if (kFeatures.dudx) beat.dudx = Mantissa::from_raw(kMax);
+    if (kFeatures.dvdy) beat.dvdy = Mantissa::from_raw(kMax);
     return beat;
   }
 
@@ -104,7 +119,7 @@ GroupBeat<kConfig> group(const RequestBeat<kConfig>& request, const SamplerState
     top = std::max(top, parts[i].exponent - 150 + bit_length(product[i]) - 1);
   }
   int exponent = top - (F::kMagnitudeBits - 1);
-  const Mode mode = supported_mode<kConfig>(static_cast<Mode>(sampler.mode.raw()));
+  const Mode mode = supported_mode<kConfig>(sampler);
   const bool nearest = mode == Mode::kSimple || mode == Mode::kTable;
   std::array<std::int64_t, 4> magnitude{};
   const auto round_all = [&] {
@@ -119,10 +134,12 @@ GroupBeat<kConfig> group(const RequestBeat<kConfig>& request, const SamplerState
     round_all();
   }
   if (exponent < F::kExponent.min_raw()) {
+    raise(unsupported_if(kIsNarrow && exponent >= kFullExponent.min_raw()));
     beat.exponent = beat.exponent.from_raw(F::kExponent.min_raw());
     return beat;
   }
-  if (exponent > F::kExponent.max_raw()) beat.status = beat.status.from_raw(status | kOverflow);
+  if (exponent > kFullExponent.max_raw()) raise(kOverflow);
+  raise(unsupported_if(kIsNarrow && exponent > F::kExponent.max_raw()));
   beat.exponent = beat.exponent.saturate(exponent);
   const auto mantissa = [&](std::size_t i) {
     return Mantissa::from_raw(parts[i].negative ? -magnitude[i] : magnitude[i]);

@@ -14,7 +14,9 @@
 // Edges  A radius below one texel is one texel; when the major one is, too, there is one probe, and the level of detail
 //        is that of the major radius, below 0, as a bias needs it. ext just above one texel takes two probes, each at
 //        level 0. A footprint wider than the 1 x 1 level takes one probe. Level of detail before the bias saturates at
-//        -32 and 31.996. minor_radius 0 means max_probes.
+//        -32 and 31.996. minor_radius 0 means max_probes. Unsupported: more probes than the configuration has, though
+//        the application grants them; a level, a fraction of a level or a kind of texels that it lacks.
+//        Where it has no wrap mode that clamps, half steps are modulo 4.
 // Source WRL 99/1, 3.1, 3.2, 3.4; EXT_texture_filter_anisotropic (ext); Vulkan 1.3, 16.8 (bias, clamp, magnification).
 //        Weight row: fProbes in quarters (a row stands for its middle, a whole row for itself), kept within the four
 //        rows of its probe count. The printed rule, the smaller of fProbes and iProbes, meets the row of one probe less
@@ -65,7 +67,7 @@ ProbeChoice choose_probes(const ClampedRadii& radii, Mode mode, const SamplerSta
   std::int64_t wanted = 0;
   if (mode == Mode::kExt) {
     wanted = (radii.major + radii.minor - 1) / radii.minor;
-  } else if (static_cast<ProbeRounding>(sampler.probe_rounding.raw()) == ProbeRounding::kCeiling) {
+  } else if (rounds_up<kConfig>(sampler)) {
     // ceiling(2 f major/minor) - 1 is the number of multiples of minor below 2 f major.
     wanted = (2 * sampler.probe_factor.raw() * radii.major - 1) / (radii.minor << F::kFactor.fraction_bits);
   } else {
@@ -97,9 +99,7 @@ std::int64_t fit_minor_radius(const ClampedRadii& radii, Mode mode, const ProbeC
   if (radii.magnified) return radii.major;
   if (mode == Mode::kExt) return round_up_ties(radii.major * reciprocal(choice.probes), kReciprocalFraction);
   const std::int64_t widened = round_up_ties(2 * radii.major * reciprocal(choice.probes + 1), kReciprocalFraction);
-  if (static_cast<ProbeRounding>(sampler.probe_rounding.raw()) == ProbeRounding::kNearest) {
-    return std::max(radii.minor, widened);
-  }
+  if (!rounds_up<kConfig>(sampler)) return std::max(radii.minor, widened);
   if (choice.limited) return round_up_ties(widened * sampler.inverse_alias_factor.raw(), kFactorFraction);
   return std::min(widened, round_up_ties(radii.minor * sampler.blur_factor.raw(), kFactorFraction));
 }
@@ -142,27 +142,34 @@ template <Config kConfig>
 Fixed<Formats<kConfig>::kHalfStep> to_half_step(std::int64_t vector, std::int64_t factor, std::int64_t size_reciprocal,
                                                 std::int64_t size_shift, std::int64_t exponent) {
   using F = Formats<kConfig>;
+  constexpr bool kIsModular = !kConfig.features.clamp_to_edge && !kConfig.features.clamp_to_border;
   constexpr int kProductFraction =
       F::kVector.fraction_bits + F::kReciprocal.fraction_bits + F::kSizeReciprocal.fraction_bits;
   const std::int64_t right = kProductFraction - F::kPositionFraction + size_shift - exponent;
   const std::int64_t product = vector * factor * size_reciprocal;
   // A length_factor below 1/8 on a texture one texel wide can ask for more bits instead of fewer.
-  if (right < 0) return Fixed<F::kHalfStep>::from_raw(product * (std::int64_t{1} << -right));
-  return Fixed<F::kHalfStep>::from_raw(round_away_ties(product, static_cast<int>(right)));
+  const std::int64_t half_step =
+      right < 0 ? product * (std::int64_t{1} << -right) : round_away_ties(product, static_cast<int>(right));
+  if constexpr (kIsModular) {
+    constexpr int kSpare = 64 - F::kHalfStep.width();
+    return Fixed<F::kHalfStep>::from_raw(static_cast<std::int64_t>(static_cast<std::uint64_t>(half_step) << kSpare) >>
+                                         kSpare);
+  }
+  return Fixed<F::kHalfStep>::from_raw(half_step);
 }
 
 template <Config kConfig>
 PlanBeat<kConfig> plan(const FootprintBeat<kConfig>& footprint, const SamplerState<kConfig>& sampler) {
   PlanBeat<kConfig> beat;
+  constexpr Features kFeatures = kConfig.features;
   beat.tag = footprint.tag;
-  beat.status = footprint.status;
   beat.s = footprint.s;
   beat.t = footprint.t;
   constexpr int kFraction = kConfig.level_fraction_bits;
-  const Mode mode = supported_mode<kConfig>(static_cast<Mode>(sampler.mode.raw()));
+  const Mode mode = supported_mode<kConfig>(sampler);
   const std::int64_t exponent = footprint.exponent.raw();
 
-  const ClampedRadii radii = clamp_radii<kConfig>(footprint, mode, sampler.length_factor.raw());
+  const ClampedRadii radii = clamp_radii<kConfig>(footprint, mode, supported_length_factor<kConfig>(sampler));
   const ProbeChoice choice = choose_probes<kConfig>(radii, mode, sampler);
   const std::int64_t fitted = fit_minor_radius<kConfig>(radii, mode, choice, sampler);
   const std::int64_t base_level = level_of_radius<kConfig>(fitted, exponent).raw();
@@ -184,9 +191,17 @@ PlanBeat<kConfig> plan(const FootprintBeat<kConfig>& footprint, const SamplerSta
                                            sampler.height_shift.raw(), exponent);
   beat.probes = beat.probes.from_raw(probes);
   beat.weight_row = beat.weight_row.from_raw(choose_weight_row<kConfig>(radii, mode, probes));
-  beat.level_of_detail = beat.level_of_detail.from_raw(std::min(level, sampler.last_level.raw() << kFraction));
+  const std::int64_t last = sampler.last_level.raw() << kFraction;
+  constexpr std::int64_t kWhole = ~((std::int64_t{1} << kFraction) - 1);
+  const std::int64_t sampled = std::min(level, last);
+  beat.level_of_detail = beat.level_of_detail.from_raw(kFeatures.level_blend ? sampled : sampled & kWhole);
   const bool linear_magnify = static_cast<Magnify>(sampler.magnify.raw()) == Magnify::kLinear;
-  beat.linear = beat.linear.from_raw(magnifies ? linear_magnify : mode != Mode::kNearest);
+  const bool linear = magnifies ? linear_magnify : mode != Mode::kNearest;
+  beat.linear = beat.linear.from_raw((linear && kFeatures.linear_texels) || !kFeatures.nearest_texels);
+  const bool missing = (choice.limited && sampler.probes_cut.raw() != 0) ||
+                       (level > last && sampler.levels_cut.raw() != 0) || sampled != beat.level_of_detail.raw() ||
+                       linear != (beat.linear.raw() != 0);
+  beat.status = beat.status.from_raw(footprint.status.raw() | unsupported_if(missing));
   return beat;
 }
 

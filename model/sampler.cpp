@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "tables/rounding.h"
@@ -69,6 +70,13 @@ template <Config kConfig>
 SamplerState<kConfig> make_sampler(const SamplerOptions& options, const Texture& texture, const TextureMemory& memory) {
   using F = Formats<kConfig>;
   check_chain(texture, 1 << kConfig.max_size_log2);
+  if constexpr (!kConfig.features.any_size) {
+    const MipLevel& base = texture.levels.front();
+    if (!std::has_single_bit(static_cast<unsigned>(base.width)) ||
+        !std::has_single_bit(static_cast<unsigned>(base.height))) {
+      throw SamplerError("size", std::to_string(base.width) + " x " + std::to_string(base.height), "powers of two");
+    }
+  }
   const int width = texture.levels.front().width;
   const int height = texture.levels.front().height;
   const int smallest = bit_length(std::max(width, height)) - 1;
@@ -86,7 +94,9 @@ SamplerState<kConfig> make_sampler(const SamplerOptions& options, const Texture&
   state.width = state.width.from_raw(width);
   state.height = state.height.from_raw(height);
   state.smallest_level = state.smallest_level.from_raw(smallest);
-  state.last_level = state.last_level.from_raw(static_cast<std::int64_t>(texture.levels.size()) - 1);
+  const int levels = static_cast<int>(texture.levels.size());
+  state.last_level = state.last_level.from_raw(std::min(levels, F::kLevels) - 1);
+  state.levels_cut = state.levels_cut.from_raw(levels > F::kLevels);
   const SizeReciprocal across = size_reciprocal(width, kConfig.size_reciprocal_bits);
   const SizeReciprocal down = size_reciprocal(height, kConfig.size_reciprocal_bits);
   state.width_reciprocal = state.width_reciprocal.from_raw(across.mantissa);
@@ -100,8 +110,10 @@ SamplerState<kConfig> make_sampler(const SamplerOptions& options, const Texture&
   const double blur = checked("blur_factor", probes.blur_factor, 1, 2 - factor_step);
   const double alias = checked("alias_factor", probes.alias_factor, 1, 2);
   state.probe_rounding = state.probe_rounding.from_raw(static_cast<std::int64_t>(probes.rounding));
-  state.max_probes = state.max_probes.from_raw(
-      static_cast<std::int64_t>(checked("max_probes", options.max_probes, 1, kConfig.max_probes)));
+  const auto granted = static_cast<int>(
+      checked("max_probes", options.max_probes, 1, std::max(kConfig.max_probes, kDefaultConfig.max_probes)));
+  state.max_probes = state.max_probes.from_raw(std::min(granted, kConfig.max_probes));
+  state.probes_cut = state.probes_cut.from_raw(granted > kConfig.max_probes);
   state.length_factor = quantized<F::kFactor>(length);
   state.blur_factor = quantized<F::kFactor>(blur);
   state.inverse_alias_factor = quantized<F::kFactor>(1 / alias);
@@ -109,8 +121,7 @@ SamplerState<kConfig> make_sampler(const SamplerOptions& options, const Texture&
 
   const double level_step = 1.0 / static_cast<double>(std::int64_t{1} << kConfig.level_fraction_bits);
   state.level_bias = quantized<F::kLevelOfDetail>(checked("level_bias", options.level_bias, -16, 16 - level_step));
-  const double max_level =
-      checked("max_level", options.max_level, 0, F::kSampledLevel.value(F::kSampledLevel.max_raw()));
+  const double max_level = checked("max_level", options.max_level, 0, kMaxLevel);
   state.max_level = quantized<F::kSampledLevel>(max_level);
   state.min_level = quantized<F::kSampledLevel>(checked("min_level", options.min_level, 0, max_level));
   const auto channels = static_cast<std::size_t>(bytes_per_texel(texture.format));
@@ -119,7 +130,7 @@ SamplerState<kConfig> make_sampler(const SamplerOptions& options, const Texture&
     const double missing = c == 3 ? 1 : 0;
     state.border[c] = quantized<F::kChannel>(255 * (c < channels ? border : missing));
   }
-  for (std::size_t k = 0; k < memory.level_base.size(); ++k) {
+  for (std::size_t k = 0; k < std::min(memory.level_base.size(), state.level_base.size()); ++k) {
     state.level_base[k] = state.level_base[k].from_raw(memory.level_base[k]);
   }
   return state;

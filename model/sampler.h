@@ -34,7 +34,7 @@ struct SamplerOptions {
   Wrap wrap_s = Wrap::kRepeat;
   Wrap wrap_t = Wrap::kRepeat;
   ProbeParameters probes = kExact;
-  int max_probes = kDefaultConfig.max_probes;  // 1 .. as many as the configuration has
+  int max_probes = kDefaultConfig.max_probes;  // 1 .. as many as the configuration or the default one has
   double level_bias = 0;                       // -16 .. 15.996
   double min_level = 0;                        // 0 .. 15.996, <= max_level
   double max_level = kMaxLevel;                // 0 .. 15.996

@@ -5,12 +5,13 @@
 // Gives  for probe i = 0 .. probes - 1, n = 2i - (probes - 1): position + n * half step, S20.24; its weight U1.8;
 //        first and last.
 // Rounds nothing. Positions are modulo 2^21, which only the repeats can reach.
-// Edges  one probe: the position itself, weight one.
+// Edges  one probe: the position itself, weight one. A weight row that the configuration leaves out: 0, unsupported.
 // Source WRL 99/1, 3.1 (positions, figures 10 and 11), 3.2 (weights: row by fProbes, column floor((|n| + 1)/2)).
 #pragma once
 
 #include <cstdlib>
 
+#include "model/features.h"
 #include "tables/roms.h"
 #include "tables/sampler_state.h"
 
@@ -27,7 +28,6 @@ template <Config kConfig>
 WalkBeat<kConfig> walk(const PlanBeat<kConfig>& plan, std::int64_t probe) {
   WalkBeat<kConfig> beat;
   beat.tag = plan.tag;
-  beat.status = plan.status;
   beat.level_of_detail = plan.level_of_detail;
   beat.linear = plan.linear;
   beat.probe = beat.probe.from_raw(probe);
@@ -37,6 +37,8 @@ WalkBeat<kConfig> walk(const PlanBeat<kConfig>& plan, std::int64_t probe) {
   beat.s = probe_position<kConfig>(plan.s.raw(), plan.half_step_s.raw(), n);
   beat.t = probe_position<kConfig>(plan.t.raw(), plan.half_step_t.raw(), n);
   const std::int64_t column = (std::abs(n) + 1) / 2;
+  const auto row = static_cast<std::size_t>(plan.weight_row.raw());
+  beat.status = beat.status.from_raw(plan.status.raw() | unsupported_if(!kConfig.weight_rows.has(row)));
   const auto word = static_cast<std::size_t>(plan.weight_row.raw() * Formats<kConfig>::kWeightColumns + column);
   beat.weight = beat.weight.from_raw(static_cast<std::int64_t>(roms<kConfig>().weight.words[word]));
   return beat;

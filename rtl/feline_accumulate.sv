@@ -2,7 +2,7 @@
 // accumulate: the weighted probes of a pixel to its colour, rounded once.
 //
 // Takes  colour U8.28, unit 1/255, and weight U1.8 of each probe; first and last.
-// Gives  colour U8.8, unit 1/255, with the last probe; other probes are absorbed.
+// Gives  colour U8.8, unit 1/255, with the last probe, and the status bits of all; other probes are absorbed.
 // Rounds the exact weighted sum, U8.36, to 8 fraction bits: nearest, ties up. Weights sum to exactly one, so equal
 //        texels come back exactly, and the result lies within the texels that have weight: every texel is a multiple of
 //        the result's last bit, and rounding to its multiples is monotone.
@@ -42,7 +42,14 @@ module feline_accumulate (
   logic                  weighted_ready;
 
   for (genvar c = 0; c < 4; c++) begin : gen_product
-    assign product[c*SumWidth +: SumWidth] = SumWidth'(filter_i.colour[c]) * SumWidth'(filter_i.weight);
+    if (c < feline_pkg::Channels && (c < 3 || feline_pkg::FeatureAlpha)) begin : gen_weighted
+      assign product[c*SumWidth +: SumWidth] = SumWidth'(filter_i.colour[c]) * SumWidth'(filter_i.weight);
+    end else begin : gen_constant
+      assign product[c*SumWidth +: SumWidth] = '0;
+
+      logic unused_colour;
+      assign unused_colour = ^filter_i.colour[c];
+    end
   end
 
   always_comb begin
@@ -69,13 +76,23 @@ module feline_accumulate (
   logic                                beat_ready;
 
   for (genvar c = 0; c < 4; c++) begin : gen_sum
-    logic [SumWidth-1:0] carried;
-    logic [SumWidth-1:0] sum;
+    if (c < feline_pkg::Channels && (c < 3 || feline_pkg::FeatureAlpha)) begin : gen_weighted
+      logic [SumWidth-1:0] carried;
+      logic [SumWidth-1:0] sum;
 
-    assign carried = weighted_q.first ? Half : sum_q[c*SumWidth +: SumWidth];
-    assign sum     = carried + weighted_q.colour[c*SumWidth +: SumWidth];
-    assign sum_d[c*SumWidth +: SumWidth] = sum;
-    assign colour[c*feline_pkg::PixelWidth +: feline_pkg::PixelWidth] = feline_pkg::PixelWidth'(sum >> Dropped);
+      assign carried = weighted_q.first ? Half : sum_q[c*SumWidth +: SumWidth];
+      assign sum     = carried + weighted_q.colour[c*SumWidth +: SumWidth];
+      assign sum_d[c*SumWidth +: SumWidth] = sum;
+      assign colour[c*feline_pkg::PixelWidth +: feline_pkg::PixelWidth] = feline_pkg::PixelWidth'(sum >> Dropped);
+    end else begin : gen_constant
+      // Of a channel that the configuration has no place for: 0, alpha one.
+      assign sum_d[c*SumWidth +: SumWidth] = '0;
+      assign colour[c*feline_pkg::PixelWidth +: feline_pkg::PixelWidth] =
+          c == 3 ? {8'hff, feline_pkg::PixelFraction'(0)} : '0;
+
+      logic unused_sum;
+      assign unused_sum = ^{weighted_q.colour[c*SumWidth +: SumWidth], sum_q[c*SumWidth +: SumWidth]};
+    end
   end
 
   assign weighted_ready = beat_ready || !weighted_q.last;
@@ -84,9 +101,24 @@ module feline_accumulate (
     if (weighted_valid && weighted_ready) sum_q <= sum_d;
   end
 
+  // Only texels can make one probe's status differ from another's.
+  logic [feline_pkg::StatusWidth-1:0] status;
+
+  if (feline_pkg::FeatureAlpha) begin : gen_status
+    assign status = weighted_q.status;
+  end else begin : gen_status_of_all
+    logic [feline_pkg::StatusWidth-1:0] status_q;
+
+    assign status = weighted_q.status | (status_q & {feline_pkg::StatusWidth{!weighted_q.first}});
+
+    always_ff @(posedge clk_i) begin
+      if (weighted_valid && weighted_ready) status_q <= status;
+    end
+  end
+
   always_comb begin
     beat.tag    = weighted_q.tag;
-    beat.status = weighted_q.status;
+    beat.status = status;
     beat.colour = colour;
   end
 

@@ -121,7 +121,7 @@ module feline_address (
     .clk_i, .rst_i, .wrap_s_i(wrap_s), .wrap_t_i(wrap_t), .level_base_i(sampler_i.level_base),
     .wrapped_valid_i(wrapped_valid), .wrapped_ready_o(coarse_ready),
     .sideband_i(1'b0), .s_i(wrapped_q.s), .t_i(wrapped_q.t), .linear_i(wrapped_q.header.linear),
-    .used_i(wrapped_q.header.level_fraction != '0), .level_i(level_after),
+    .used_i(feline_pkg::FeatureLevelBlend && wrapped_q.header.level_fraction != '0), .level_i(level_after),
     .width_i(wrapped_q.coarse_width), .height_i(wrapped_q.coarse_height),
     .lines_valid_o(coarse_valid), .lines_ready_i(address_ready_i), .sideband_o(coarse_sideband),
     .used_o(beat.coarse_used), .x_o(beat.coarse_x), .y_o(beat.coarse_y), .border_o(beat.coarse_border),

@@ -34,7 +34,7 @@ module feline_choose_probes (
 
   assign is_ext = feline_pkg::FeatureExt && mode_i == feline_pkg::ModeExt;
 
-  if (feline_pkg::FeatureExt || AnyFeline) begin : gen_ceiling
+  if (feline_pkg::FeatureExt || (AnyFeline && feline_pkg::FeatureFactors)) begin : gen_ceiling
     feline_quotient #(
       .NumeratorWidth  (feline_pkg::DividendWidth),
       .DenominatorWidth(RadiusWidth),
@@ -69,7 +69,9 @@ module feline_choose_probes (
 
     always_comb begin
       wanted = ceiling;
-      if (!is_ext && probe_rounding_i == feline_pkg::ProbeRoundingNearest) wanted = nearest;
+      if (!is_ext && (!feline_pkg::FeatureFactors || probe_rounding_i == feline_pkg::ProbeRoundingNearest)) begin
+        wanted = nearest;
+      end
     end
   end else begin : gen_ceiling_only
     assign eighths_o = '0;

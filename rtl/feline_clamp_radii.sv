@@ -34,7 +34,7 @@ module feline_clamp_radii (
   assign one           = below_one_bit ? '0 : RadiusWidth'(1) << one_log2;
   assign minor         = minor_radius_i > one ? minor_radius_i : one;
 
-  if (AnyFeline) begin : gen_shortened
+  if (AnyFeline && feline_pkg::FeatureFactors) begin : gen_shortened
     localparam int unsigned FactorFraction = feline_pkg::FactorFraction;
     localparam int unsigned ProductWidth   = RadiusWidth + feline_pkg::FactorWidth;
 

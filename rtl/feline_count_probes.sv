@@ -27,6 +27,7 @@ module feline_count_probes #(
   output logic [feline_pkg::RadiusWidth-1:0]               major_o,
   output logic [feline_pkg::RadiusWidth-1:0]               fitted_o,
   output logic [feline_pkg::ProbeCountWidth-1:0]           probes_o,
+  output logic                                             limited_o,
   output logic [feline_pkg::EighthsWidth-1:0]              eighths_o
 );
   localparam int unsigned RadiusWidth     = feline_pkg::RadiusWidth;
@@ -52,6 +53,7 @@ module feline_count_probes #(
     logic [RadiusWidth-1:0]              major;
     logic [RadiusWidth-1:0]              fitted;
     logic [ProbeCountWidth-1:0]          probes;
+    logic                                limited;
     logic [feline_pkg::EighthsWidth-1:0] eighths;
   } count_t;
 
@@ -110,6 +112,7 @@ module feline_count_probes #(
   assign count_d.sideband = choice_q.sideband;
   assign count_d.major   = choice_q.major;
   assign count_d.probes  = choice_q.probes;
+  assign count_d.limited = choice_q.limited;
   assign count_d.eighths = choice_q.eighths;
 
   feline_fit_radius u_fit_radius (
@@ -128,6 +131,7 @@ module feline_count_probes #(
   assign major_o   = count_q.major;
   assign fitted_o  = count_q.fitted;
   assign probes_o  = count_q.probes;
+  assign limited_o = count_q.limited;
   assign eighths_o = count_q.eighths;
 endmodule
 

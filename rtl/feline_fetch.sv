@@ -34,7 +34,8 @@ module feline_fetch #(
   input  wire logic [(32 << (2 * feline_pkg::TileLog2))-1:0] memory_response_data_i
 );
   localparam int unsigned WordWidth   = 32;
-  localparam int unsigned TexelWidth  = 4 * feline_pkg::ChannelWidth;
+  localparam int unsigned ChannelWidth = feline_pkg::ChannelWidth;
+  localparam int unsigned TexelWidth  = 4 * ChannelWidth;
   localparam int unsigned ColumnWidth = feline_pkg::TileLog2;
 
   // Texels 0 .. 3 are fine 00, 10, 01, 11, texels 4 .. 7 the same of the coarse level.
@@ -60,6 +61,12 @@ module feline_fetch #(
   logic unused_sampler;
   assign unused_sampler = ^sampler_i;
 
+  logic [feline_pkg::TexelFormatWidth-1:0] texel_format;
+
+  feline_supported_format u_supported_format (
+    .texel_format_i(sampler_i.texel_format), .texel_format_o(texel_format)
+  );
+
   // The words of the texels.
   logic [7:0]               outside;
   logic [7:0]               used;
@@ -82,7 +89,7 @@ module feline_fetch #(
 
   feline_blocking_cache #(.Lines(Lines)) u_cache (
     .clk_i, .rst_i, .flush_i,
-    .texel_format_i(sampler_i.texel_format),
+    .texel_format_i(texel_format),
     .texels_valid_i(address_valid_i), .texels_ready_o(address_ready_o),
     .odd_i(address_i.level[0]),
     .x_i({address_i.coarse_x, address_i.fine_x}), .y_i({address_i.coarse_y, address_i.fine_y}),
@@ -118,25 +125,50 @@ module feline_fetch #(
   );
 
   // The texels in them.
+  localparam logic [ChannelWidth-1:0] Opaque = {8'hff, feline_pkg::ChannelFraction'(0)};
+
+  logic [7:0]              transparent;
+  logic                    missing;
   logic [8*TexelWidth-1:0] texel;
   feline_pkg::fetch_t      beat;
 
   for (genvar i = 0; i < 8; i++) begin : gen_texel
     logic [TexelWidth-1:0] decoded;
+    logic [TexelWidth-1:0] read;
 
     feline_decode_texel u_decode (
       .word_i(words_q.word[i*WordWidth +: WordWidth]),
       .column_i(words_q.column[(i / 4 * 2 + i % 2)*ColumnWidth +: ColumnWidth]),
-      .texel_format_i(sampler_i.texel_format), .srgb_i(sampler_i.srgb), .texel_o(decoded)
+      .texel_format_i(texel_format), .srgb_i(sampler_i.srgb), .texel_o(decoded)
     );
 
-    assign texel[i*TexelWidth +: TexelWidth] =
-        !words_q.used[i] ? '0 : words_q.outside[i] ? sampler_i.border : decoded;
+    assign read = !words_q.used[i] ? '0 : words_q.outside[i] ? sampler_i.border : decoded;
+
+    // What the configuration has no channel for is 0, alpha one.
+    for (genvar c = 0; c < 4; c++) begin : gen_channel
+      if (c < feline_pkg::Channels && (c < 3 || feline_pkg::FeatureAlpha)) begin : gen_read
+        assign texel[i*TexelWidth + c*ChannelWidth +: ChannelWidth] = read[c*ChannelWidth +: ChannelWidth];
+      end else begin : gen_constant
+        assign texel[i*TexelWidth + c*ChannelWidth +: ChannelWidth] = c == 3 && words_q.used[i] ? Opaque : '0;
+      end
+    end
+
+    assign transparent[i] = words_q.used[i] && read[3*ChannelWidth +: ChannelWidth] != Opaque;
+  end
+
+  if (feline_pkg::Channels == 4 && !feline_pkg::FeatureAlpha) begin : gen_opaque
+    assign missing = transparent != '0;
+  end else begin : gen_alpha
+    assign missing = 1'b0;
+
+    logic unused_transparent;
+    assign unused_transparent = ^transparent;
   end
 
   always_comb begin
     beat.tag               = words_q.tag;
     beat.status            = words_q.status;
+    beat.status[feline_pkg::StatusUnsupported] = words_q.status[feline_pkg::StatusUnsupported] | missing;
     beat.probe             = words_q.probe;
     beat.first             = words_q.first;
     beat.last              = words_q.last;

@@ -66,7 +66,7 @@ module feline_filter (
   logic [FractionWidth-1:0] coarse_x;
   logic [FractionWidth-1:0] coarse_y;
 
-  if (feline_pkg::FeatureGaussian) begin : gen_gaussian
+  if (feline_pkg::FeatureGaussian && feline_pkg::FeatureLinearTexels) begin : gen_gaussian
     logic                     gaussian;
     logic [FractionWidth-1:0] gaussian_fine_x;
     logic [FractionWidth-1:0] gaussian_fine_y;
@@ -105,12 +105,20 @@ module feline_filter (
   feline_interpolate_texel #(.ValueWidth(TexelWidth), .FractionWidth(FractionWidth)) u_fine_1 (
     .a_i(fetch_i.fine_01), .b_i(fetch_i.fine_11), .fraction_i(fine_x), .value_o(fine_1)
   );
-  feline_interpolate_texel #(.ValueWidth(TexelWidth), .FractionWidth(FractionWidth)) u_coarse_0 (
-    .a_i(fetch_i.coarse_00), .b_i(fetch_i.coarse_10), .fraction_i(coarse_x), .value_o(coarse_0)
-  );
-  feline_interpolate_texel #(.ValueWidth(TexelWidth), .FractionWidth(FractionWidth)) u_coarse_1 (
-    .a_i(fetch_i.coarse_01), .b_i(fetch_i.coarse_11), .fraction_i(coarse_x), .value_o(coarse_1)
-  );
+  if (feline_pkg::FeatureLevelBlend) begin : gen_coarse_rows
+    feline_interpolate_texel #(.ValueWidth(TexelWidth), .FractionWidth(FractionWidth)) u_coarse_0 (
+      .a_i(fetch_i.coarse_00), .b_i(fetch_i.coarse_10), .fraction_i(coarse_x), .value_o(coarse_0)
+    );
+    feline_interpolate_texel #(.ValueWidth(TexelWidth), .FractionWidth(FractionWidth)) u_coarse_1 (
+      .a_i(fetch_i.coarse_01), .b_i(fetch_i.coarse_11), .fraction_i(coarse_x), .value_o(coarse_1)
+    );
+  end else begin : gen_no_coarse_rows
+    assign coarse_0 = '0;
+    assign coarse_1 = '0;
+
+    logic unused_coarse;
+    assign unused_coarse = ^coarse_x;
+  end
 
   always_comb begin
     rows_d.header.tag            = fetch_i.tag;
@@ -144,9 +152,16 @@ module feline_filter (
   feline_interpolate_texel #(.ValueWidth(RowWidth), .FractionWidth(FractionWidth)) u_fine (
     .a_i(rows_q.fine_0), .b_i(rows_q.fine_1), .fraction_i(rows_q.fine_y), .value_o(fine)
   );
-  feline_interpolate_texel #(.ValueWidth(RowWidth), .FractionWidth(FractionWidth)) u_coarse (
-    .a_i(rows_q.coarse_0), .b_i(rows_q.coarse_1), .fraction_i(rows_q.coarse_y), .value_o(coarse)
-  );
+  if (feline_pkg::FeatureLevelBlend) begin : gen_coarse
+    feline_interpolate_texel #(.ValueWidth(RowWidth), .FractionWidth(FractionWidth)) u_coarse (
+      .a_i(rows_q.coarse_0), .b_i(rows_q.coarse_1), .fraction_i(rows_q.coarse_y), .value_o(coarse)
+    );
+  end else begin : gen_no_coarse
+    assign coarse = '0;
+
+    logic unused_coarse;
+    assign unused_coarse = ^{rows_q.coarse_0, rows_q.coarse_1, rows_q.coarse_y};
+  end
 
   always_comb begin
     levels_d.header = rows_q.header;
@@ -163,9 +178,19 @@ module feline_filter (
   logic [4*ColourWidth-1:0] colour;
   feline_pkg::filter_t      beat;
 
-  feline_interpolate_texel #(.ValueWidth(LevelWidth), .FractionWidth(LevelFractionWidth)) u_colour (
-    .a_i(levels_q.fine), .b_i(levels_q.coarse), .fraction_i(levels_q.header.level_fraction), .value_o(colour)
-  );
+  if (feline_pkg::FeatureLevelBlend) begin : gen_blend
+    feline_interpolate_texel #(.ValueWidth(LevelWidth), .FractionWidth(LevelFractionWidth)) u_colour (
+      .a_i(levels_q.fine), .b_i(levels_q.coarse), .fraction_i(levels_q.header.level_fraction), .value_o(colour)
+    );
+  end else begin : gen_fine_only
+    for (genvar c = 0; c < 4; c++) begin : gen_channel
+      assign colour[c*ColourWidth +: ColourWidth] =
+          {levels_q.fine[c*LevelWidth +: LevelWidth], LevelFractionWidth'(0)};
+    end
+
+    logic unused_coarse;
+    assign unused_coarse = ^{levels_q.coarse, levels_q.header.level_fraction};
+  end
 
   always_comb begin
     beat.tag    = levels_q.header.tag;

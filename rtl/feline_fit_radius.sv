@@ -53,28 +53,39 @@ module feline_fit_radius (
     assign unused_product = ^product;
 
     if (AnyFeline) begin : gen_fitted
-      logic [FactoredWidth-1:0] aliased;
-      logic [FactoredWidth-1:0] blurred;
+      logic [RadiusWidth-1:0] nearest;
 
-      assign aliased = (FactoredWidth'(widened) * FactoredWidth'(inverse_alias_factor_i) +
-                        (FactoredWidth'(1) << (FactorFraction - 1))) >> FactorFraction;
-      assign blurred = (FactoredWidth'(minor_i) * FactoredWidth'(blur_factor_i) +
-                        (FactoredWidth'(1) << (FactorFraction - 1))) >> FactorFraction;
+      assign nearest = minor_i > widened ? minor_i : widened;
 
-      always_comb begin
-        if (is_ext) begin
-          fitted_o = widened;
-        end else if (probe_rounding_i == feline_pkg::ProbeRoundingNearest) begin
-          fitted_o = minor_i > widened ? minor_i : widened;
-        end else if (limited_i) begin
-          fitted_o = aliased[RadiusWidth-1:0];
-        end else begin
-          fitted_o = FactoredWidth'(widened) < blurred ? widened : blurred[RadiusWidth-1:0];
+      if (feline_pkg::FeatureFactors) begin : gen_factors
+        logic [FactoredWidth-1:0] aliased;
+        logic [FactoredWidth-1:0] blurred;
+
+        assign aliased = (FactoredWidth'(widened) * FactoredWidth'(inverse_alias_factor_i) +
+                          (FactoredWidth'(1) << (FactorFraction - 1))) >> FactorFraction;
+        assign blurred = (FactoredWidth'(minor_i) * FactoredWidth'(blur_factor_i) +
+                          (FactoredWidth'(1) << (FactorFraction - 1))) >> FactorFraction;
+
+        always_comb begin
+          if (is_ext) begin
+            fitted_o = widened;
+          end else if (probe_rounding_i == feline_pkg::ProbeRoundingNearest) begin
+            fitted_o = nearest;
+          end else if (limited_i) begin
+            fitted_o = aliased[RadiusWidth-1:0];
+          end else begin
+            fitted_o = FactoredWidth'(widened) < blurred ? widened : blurred[RadiusWidth-1:0];
+          end
         end
-      end
 
-      logic unused_aliased;
-      assign unused_aliased = ^aliased;
+        logic unused_aliased;
+        assign unused_aliased = ^aliased;
+      end else begin : gen_exact
+        assign fitted_o = is_ext ? widened : nearest;
+
+        logic unused_factors;
+        assign unused_factors = ^{limited_i, probe_rounding_i, blur_factor_i, inverse_alias_factor_i};
+      end
     end else begin : gen_ext_only
       assign fitted_o = widened;
 

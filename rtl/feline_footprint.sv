@@ -68,10 +68,7 @@ module feline_footprint (
   logic                               unsupported;
   logic [feline_pkg::StatusWidth-1:0] status;
 
-  feline_unsupported u_unsupported (
-    .mode_i(sampler_i.mode), .wrap_s_i(sampler_i.wrap_s), .wrap_t_i(sampler_i.wrap_t), .kernel_i(sampler_i.kernel),
-    .srgb_i(sampler_i.srgb), .unsupported_o(unsupported)
-  );
+  feline_unsupported u_unsupported (.sampler_i, .unsupported_o(unsupported));
   always_comb begin
     status = group_i.status;
     status[feline_pkg::StatusUnsupported] = status[feline_pkg::StatusUnsupported] | unsupported;
@@ -143,6 +140,8 @@ module feline_footprint (
   // Ellipse, or the vector as it is.
   feline_pkg::footprint_t footprint_d;
   logic                   is_table;
+  logic                   cell_present;
+  logic [feline_pkg::StatusWidth-1:0] place_status;
   logic [VectorWidth-1:0] ellipse_u;
   logic [VectorWidth-1:0] ellipse_v;
   logic [RadiusWidth-1:0] ellipse_major;
@@ -159,11 +158,12 @@ module feline_footprint (
     feline_table_footprint #(.IndexWidth(IndexWidth)) u_table_footprint (
       .longer_u_i(place_q.longer.longer_u), .longer_v_i(place_q.longer.longer_v),
       .longer_length_i(place_q.longer.longer_length), .index_i(place_q.index), .turns_i(place_q.turns),
-      .counter_clockwise_i(place_q.counter_clockwise),
+      .counter_clockwise_i(place_q.counter_clockwise), .present_o(cell_present),
       .major_u_o(ellipse_u), .major_v_o(ellipse_v), .major_radius_o(ellipse_major), .minor_radius_o(ellipse_minor)
     );
   end else begin : gen_no_ellipse
     assign is_table      = 1'b0;
+    assign cell_present  = 1'b1;
     assign ellipse_u     = '0;
     assign ellipse_v     = '0;
     assign ellipse_major = '0;
@@ -173,8 +173,14 @@ module feline_footprint (
     assign unused_place = ^place_q;
   end
 
+  always_comb begin
+    place_status = place_q.longer.status;
+    place_status[feline_pkg::StatusUnsupported] =
+        place_status[feline_pkg::StatusUnsupported] | (is_table && !cell_present);
+  end
+
   assign footprint_d.tag          = place_q.longer.tag;
-  assign footprint_d.status       = place_q.longer.status;
+  assign footprint_d.status       = place_status;
   assign footprint_d.s            = place_q.longer.s;
   assign footprint_d.t            = place_q.longer.t;
   assign footprint_d.exponent     = place_q.longer.exponent;

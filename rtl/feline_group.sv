@@ -10,7 +10,8 @@
 //        NaN coordinates are 0; infinite ones are +-2^19 (clamps) or 0 (repeats). A NaN or infinite derivative gives
 //        the unbounded footprint (127, 0), (0, 127), exponent 63. exponent > 63 saturates; exponent < -64 gives zeros
 //        at -64. -128 never occurs: negating a gradient negates its mantissas. Status: coordinate or derivative not
-//        finite; overflow where a clamp saturates a finite coordinate or exponent > 63 saturates.
+//        finite; overflow where a clamp saturates a finite coordinate or exponent > 63 saturates; unsupported where the
+//        configuration's exponent is narrower than that and saturates, or has no place for a derivative that is not 0.
 // Source McCormack et al., WRL 99/1, 3.2 (group scaling); CS248A lecture 4, steps 2 and 4.
 // Timing two registers: products and their leading ones | align and round.
 `default_nettype none
@@ -30,7 +31,7 @@ module feline_group (
   localparam int unsigned SizeWidth     = feline_pkg::SizeWidth;
   localparam int unsigned MantissaWidth = feline_pkg::MantissaWidth;
   localparam int unsigned ExponentBits  = 8;  // of IEEE 754 binary32
-  localparam int unsigned ProductWidth  = Float32Width - ExponentBits + SizeWidth;
+  localparam int unsigned ProductWidth  = Float32Width - ExponentBits + (feline_pkg::FeatureAnySize ? SizeWidth : 0);
   localparam int unsigned TopWidth      = ExponentBits + 1;
 
   typedef struct packed {
@@ -38,22 +39,29 @@ module feline_group (
     logic                                 coordinates_finite;
     logic                                 coordinates_overflow;
     logic                                 finite;
+    logic                                 missing;
     logic [feline_pkg::PositionWidth-1:0] s;
     logic [feline_pkg::PositionWidth-1:0] t;
     logic [TopWidth-1:0]                  top;
     // Of ds/dx, dt/dx, ds/dy, dt/dy, the first lowest.
     logic [3:0]                           negative;
-    logic [4*ExponentBits-1:0]            exponent;
+    logic [4*TopWidth-1:0]                exponent;
     logic [4*ProductWidth-1:0]            product;
   } products_t;
 
   // Products.
+  localparam logic [3:0] HasPlace = {feline_pkg::FeatureDvdy, feline_pkg::FeatureDudy, feline_pkg::FeatureDvdx,
+                                     feline_pkg::FeatureDudx};
+
   products_t                 products_d;
+  logic [feline_pkg::WrapWidth-1:0] wrap_s;
+  logic [feline_pkg::WrapWidth-1:0] wrap_t;
   logic                      s_finite;
   logic                      t_finite;
   logic                      s_overflow;
   logic                      t_overflow;
   logic [3:0]                finite;
+  logic [3:0]                missing;
   logic [4*Float32Width-1:0] derivatives;
   logic [4*SizeWidth-1:0]    sizes;
   logic [4*TopWidth-1:0]     tops;
@@ -63,13 +71,17 @@ module feline_group (
   assign products_d.coordinates_finite   = s_finite && t_finite;
   assign products_d.coordinates_overflow = s_overflow || t_overflow;
   assign products_d.finite               = finite == 4'hf;
+  assign products_d.missing              = missing != '0;
+
+  feline_supported_wrap u_wrap_s (.wrap_i(sampler_i.wrap_s), .wrap_o(wrap_s));
+  feline_supported_wrap u_wrap_t (.wrap_i(sampler_i.wrap_t), .wrap_o(wrap_t));
 
   feline_float_to_position #(.ExponentBits(ExponentBits)) u_position_s (
-    .bits_i(request_i.s), .wrap_i(sampler_i.wrap_s), .position_o(products_d.s), .finite_o(s_finite),
+    .bits_i(request_i.s), .wrap_i(wrap_s), .position_o(products_d.s), .finite_o(s_finite),
     .overflow_o(s_overflow)
   );
   feline_float_to_position #(.ExponentBits(ExponentBits)) u_position_t (
-    .bits_i(request_i.t), .wrap_i(sampler_i.wrap_t), .position_o(products_d.t), .finite_o(t_finite),
+    .bits_i(request_i.t), .wrap_i(wrap_t), .position_o(products_d.t), .finite_o(t_finite),
     .overflow_o(t_overflow)
   );
 
@@ -78,14 +90,16 @@ module feline_group (
 
   for (genvar i = 0; i < 4; i++) begin : gen_product
     feline_texel_product #(
+      .HasPlace    (HasPlace[i]),
       .ExponentBits(ExponentBits),
       .ProductWidth(ProductWidth)
     ) u_texel_product (
       .bits_i    (derivatives[i*Float32Width +: Float32Width]),
       .size_i    (sizes[i*SizeWidth +: SizeWidth]),
       .finite_o  (finite[i]),
+      .missing_o (missing[i]),
       .negative_o(products_d.negative[i]),
-      .exponent_o(products_d.exponent[i*ExponentBits +: ExponentBits]),
+      .exponent_o(products_d.exponent[i*TopWidth +: TopWidth]),
       .product_o (products_d.product[i*ProductWidth +: ProductWidth]),
       .top_o     (tops[i*TopWidth +: TopWidth])
     );
@@ -114,6 +128,7 @@ module feline_group (
   logic [feline_pkg::StatusWidth-1:0] status;
   logic [4*MantissaWidth-1:0]         mantissa;
   logic                               exponent_overflow;
+  logic                               exponent_unsupported;
 
   logic [feline_pkg::ModeWidth-1:0] mode;
 
@@ -123,7 +138,8 @@ module feline_group (
     .nearest_i(mode == feline_pkg::ModeSimple || mode == feline_pkg::ModeTable),
     .finite_i(products_q.finite), .top_i(products_q.top), .negative_i(products_q.negative),
     .exponent_i(products_q.exponent), .product_i(products_q.product),
-    .exponent_o(group_d.exponent), .mantissa_o(mantissa), .overflow_o(exponent_overflow)
+    .exponent_o(group_d.exponent), .mantissa_o(mantissa), .overflow_o(exponent_overflow),
+    .unsupported_o(exponent_unsupported)
   );
 
   always_comb begin
@@ -131,6 +147,7 @@ module feline_group (
     status[feline_pkg::StatusCoordinateNotFinite] = !products_q.coordinates_finite;
     status[feline_pkg::StatusDerivativeNotFinite] = !products_q.finite;
     status[feline_pkg::StatusOverflow]            = products_q.coordinates_overflow || exponent_overflow;
+    status[feline_pkg::StatusUnsupported]         = products_q.missing || exponent_unsupported;
   end
   assign group_d.tag    = products_q.tag;
   assign group_d.status = status;

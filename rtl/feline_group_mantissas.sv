@@ -4,7 +4,7 @@
 // Takes  of ds/dx, dt/dx, ds/dy, dt/dy, the first lowest: sign and |derivative| in texels = product * 2^(exponent -
 //        150) (feline_texel_product); the largest top of the four; whether all four were finite; which rounding.
 // Gives  dudx, dvdx, dudy, dvdy, the first lowest, S7.0 in texels of level 0 * 2^exponent; exponent S6.0; whether it
-//        saturates, though all four were finite.
+//        saturates, though all four were finite; unsupported: a narrower exponent or a missing place is to blame.
 // Rounds nearest, ties away from zero, or outward (away from zero); the exponent is the least with which no rounded
 //        magnitude exceeds 127; the largest is then 64 .. 127.
 // Edges  Not finite: the unbounded footprint (127, 0), (0, 127), exponent 63. exponent > 63 saturates; exponent < -64,
@@ -20,11 +20,12 @@ module feline_group_mantissas #(
   input  wire logic                                   finite_i,
   input  wire logic [ExponentBits:0]                  top_i,
   input  wire logic [3:0]                             negative_i,
-  input  wire logic [4*ExponentBits-1:0]              exponent_i,
+  input  wire logic [4*ExponentBits+3:0]              exponent_i,
   input  wire logic [4*ProductWidth-1:0]              product_i,
   output logic signed [feline_pkg::ExponentWidth-1:0] exponent_o,
   output logic [4*feline_pkg::MantissaWidth-1:0]      mantissa_o,
-  output logic                                        overflow_o
+  output logic                                        overflow_o,
+  output logic                                        unsupported_o
 );
   localparam int unsigned MantissaWidth = feline_pkg::MantissaWidth;
   localparam int unsigned MagnitudeBits = MantissaWidth - 1;
@@ -34,11 +35,16 @@ module feline_group_mantissas #(
   localparam int unsigned UnitExponent = (1 << (ExponentBits - 1)) - 1 + feline_pkg::Float32Width - ExponentBits - 1;
   localparam logic signed [SumWidth-1:0] MaxExponent = (SumWidth'(1) << (feline_pkg::ExponentWidth - 1)) - SumWidth'(1);
   localparam logic signed [SumWidth-1:0] MinExponent = ~MaxExponent;
+  // A configuration may have a narrower exponent than a footprint needs.
+  localparam logic signed [SumWidth-1:0] FullMaxExponent = SumWidth'(63);
+  localparam logic signed [SumWidth-1:0] FullMinExponent = ~FullMaxExponent;
+  localparam bit                         IsNarrow        = MaxExponent < FullMaxExponent;
   localparam logic [MantissaWidth-1:0]   MaxMantissa = {1'b0, {MagnitudeBits{1'b1}}};
 
   logic [3:0]                 too_large;
   logic                       halved;
   logic                       vanishes;
+  logic                       saturates;
   logic signed [SumWidth-1:0] exponent;
 
   // 2^MagnitudeBits can come out of rounding; then all four are rounded to a bit less.
@@ -46,11 +52,20 @@ module feline_group_mantissas #(
   assign exponent = SumWidth'(top_i) - SumWidth'(UnitExponent + MagnitudeBits) + SumWidth'(halved);
   assign vanishes = exponent < MinExponent;
 
-  assign overflow_o = finite_i && exponent > MaxExponent;
+  assign saturates = finite_i && exponent > MaxExponent;
+
+  if (IsNarrow) begin : gen_narrow
+    assign overflow_o    = finite_i && exponent > FullMaxExponent;
+    assign unsupported_o = !finite_i || saturates || (vanishes && exponent >= FullMinExponent);
+  end else begin : gen_full
+    assign overflow_o    = saturates;
+    assign unsupported_o = !finite_i && !(feline_pkg::FeatureDudx && feline_pkg::FeatureDvdy);
+  end
 
   for (genvar i = 0; i < 4; i++) begin : gen_mantissa
     // Of the four values for an infinite footprint only the first and the last are not 0.
-    localparam logic [MantissaWidth-1:0] Unbounded = (i == 0 || i == 3) ? MaxMantissa : '0;
+    localparam logic [MantissaWidth-1:0] Unbounded =
+        (i == 0 && feline_pkg::FeatureDudx) || (i == 3 && feline_pkg::FeatureDvdy) ? MaxMantissa : '0;
 
     logic [TopWidth-1:0]      dropped;
     logic [MantissaWidth-1:0] rounded;
@@ -58,7 +73,7 @@ module feline_group_mantissas #(
     logic [MantissaWidth-1:0] magnitude;
     logic [MantissaWidth-1:0] mantissa;
 
-    assign dropped = top_i - TopWidth'(MagnitudeBits) - TopWidth'(exponent_i[i*ExponentBits +: ExponentBits]);
+    assign dropped = top_i - TopWidth'(MagnitudeBits) - exponent_i[i*TopWidth +: TopWidth];
 
     feline_round_magnitude #(
       .Width      (ProductWidth),
@@ -88,7 +103,7 @@ module feline_group_mantissas #(
   end
 
   always_comb begin
-    if (!finite_i || overflow_o) begin
+    if (!finite_i || saturates) begin
       exponent_o = MaxExponent[feline_pkg::ExponentWidth-1:0];
     end else if (vanishes) begin
       exponent_o = MinExponent[feline_pkg::ExponentWidth-1:0];

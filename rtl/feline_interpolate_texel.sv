@@ -14,10 +14,18 @@ module feline_interpolate_texel #(
   localparam int unsigned ResultWidth = ValueWidth + FractionWidth;
 
   for (genvar c = 0; c < 4; c++) begin : gen_channel
-    feline_interpolate #(.ValueWidth(ValueWidth), .FractionWidth(FractionWidth)) u_interpolate (
-      .a_i(a_i[c*ValueWidth +: ValueWidth]), .b_i(b_i[c*ValueWidth +: ValueWidth]), .fraction_i,
-      .value_o(value_o[c*ResultWidth +: ResultWidth])
-    );
+    if (c < feline_pkg::Channels && (c < 3 || feline_pkg::FeatureAlpha)) begin : gen_interpolate
+      feline_interpolate #(.ValueWidth(ValueWidth), .FractionWidth(FractionWidth)) u_interpolate (
+        .a_i(a_i[c*ValueWidth +: ValueWidth]), .b_i(b_i[c*ValueWidth +: ValueWidth]), .fraction_i,
+        .value_o(value_o[c*ResultWidth +: ResultWidth])
+      );
+    end else begin : gen_constant
+      // Of a channel that the configuration has no place for: 0, alpha one.
+      assign value_o[c*ResultWidth +: ResultWidth] = c == 3 ? {8'hff, (ResultWidth - 8)'(0)} : '0;
+
+      logic unused_inputs;
+      assign unused_inputs = ^{a_i[c*ValueWidth +: ValueWidth], b_i[c*ValueWidth +: ValueWidth], fraction_i};
+    end
   end
 endmodule
 

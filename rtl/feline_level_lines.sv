@@ -31,7 +31,20 @@ module feline_level_lines (
     logic [LineWidth-1:0] row_base;
 
     assign tile_y   = TileWidth'(y_i[row*IndexWidth +: IndexWidth] >> TileLog2);
-    assign row_base = base_i + LineWidth'(tile_y) * LineWidth'(tiles_a_row);
+    if (feline_pkg::FeatureAnySize) begin : gen_any_size
+      assign row_base = base_i + LineWidth'(tile_y) * LineWidth'(tiles_a_row);
+    end else begin : gen_power_of_two
+      // Where sides are powers of two, so are tiles a row.
+      localparam int unsigned Log2Width = $clog2(TilesWidth);
+
+      logic [Log2Width-1:0] tiles_log2;
+
+      feline_one_hot_log2 #(.Width(TilesWidth), .Log2Width(Log2Width)) u_tiles_log2 (
+        .value_i(tiles_a_row), .log2_o(tiles_log2)
+      );
+
+      assign row_base = base_i + (LineWidth'(tile_y) << tiles_log2);
+    end
 
     for (genvar column = 0; column < 2; column++) begin : gen_column
       assign line_o[(2*row + column)*LineWidth +: LineWidth] =

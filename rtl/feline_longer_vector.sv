@@ -75,8 +75,8 @@ module feline_longer_vector (
 
   always_comb begin
     unique case (mode_i)
-      feline_pkg::ModeExt:    minor_o = shorter_length_o;
-      feline_pkg::ModeSimple: minor_o = shortest;
+      feline_pkg::ModeExt:    minor_o = feline_pkg::FeatureExt ? shorter_length_o : length_o;
+      feline_pkg::ModeSimple: minor_o = feline_pkg::FeatureSimpleFeline ? shortest : length_o;
       default:                minor_o = length_o;
     endcase
   end

@@ -55,6 +55,7 @@ module feline_plan (
   logic [feline_pkg::RadiusWidth-1:0]     major;
   logic [feline_pkg::RadiusWidth-1:0]     fitted;
   logic [feline_pkg::ProbeCountWidth-1:0] probes;
+  logic                                   limited;
   logic [feline_pkg::EighthsWidth-1:0]    eighths;
 
   feline_supported_mode u_supported_mode (.mode_i(sampler_i.mode), .mode_o(mode));
@@ -74,7 +75,8 @@ module feline_plan (
     .sideband_i(sideband_d), .exponent_i(footprint_i.exponent),
     .major_radius_i(footprint_i.major_radius), .minor_radius_i(footprint_i.minor_radius),
     .count_valid_o(count_valid), .count_ready_i(count_ready),
-    .sideband_o(sideband_q), .major_o(major), .fitted_o(fitted), .probes_o(probes), .eighths_o(eighths)
+    .sideband_o(sideband_q), .major_o(major), .fitted_o(fitted), .probes_o(probes), .limited_o(limited),
+    .eighths_o(eighths)
   );
 
   feline_plan_level_step u_level_step (
@@ -83,7 +85,7 @@ module feline_plan (
     .tag_i(sideband_q.tag), .status_i(sideband_q.status), .s_i(sideband_q.s), .t_i(sideband_q.t),
     .exponent_i(sideband_q.exponent), .major_u_i(sideband_q.major_u), .major_v_i(sideband_q.major_v),
     .major_radius_i(sideband_q.major_radius), .major_i(major), .fitted_i(fitted), .probes_i(probes),
-    .eighths_i(eighths),
+    .limited_i(limited), .eighths_i(eighths),
     .plan_valid_o, .plan_ready_i, .plan_o
   );
 endmodule

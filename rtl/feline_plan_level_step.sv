@@ -26,6 +26,7 @@ module feline_plan_level_step (
   input  wire logic [feline_pkg::RadiusWidth-1:0]          major_i,
   input  wire logic [feline_pkg::RadiusWidth-1:0]          fitted_i,
   input  wire logic [feline_pkg::ProbeCountWidth-1:0]      probes_i,
+  input  wire logic                                        limited_i,
   input  wire logic [feline_pkg::EighthsWidth-1:0]         eighths_i,
   output logic                                             plan_valid_o,
   input  wire logic                                        plan_ready_i,
@@ -63,14 +64,21 @@ module feline_plan_level_step (
   logic                         level_ready;
   logic signed [LevelWidth-1:0] base_level;
   logic                         beyond_smallest;
+  logic [feline_pkg::StatusWidth-1:0] level_status;
 
   feline_level_of_radius u_level_of_radius (.radius_i(fitted_i), .exponent_i, .level_o(base_level));
+
+  always_comb begin
+    level_status = status_i;
+    level_status[feline_pkg::StatusUnsupported] =
+        level_status[feline_pkg::StatusUnsupported] | (limited_i && sampler_i.probes_cut);
+  end
 
   assign beyond_smallest =
       base_level > $signed(LevelWidth'({sampler_i.smallest_level, {feline_pkg::LevelOfDetailFraction{1'b0}}}));
 
   assign level_d.tag        = tag_i;
-  assign level_d.status     = status_i;
+  assign level_d.status     = level_status;
   assign level_d.s          = s_i;
   assign level_d.t          = t_i;
   assign level_d.exponent   = exponent_i;
@@ -79,8 +87,14 @@ module feline_plan_level_step (
   assign level_d.eighths    = eighths_i;
 
   if (AnyLine) begin : gen_product
-    assign level_d.product_s = ProductWidth'(major_u_i) * $signed(ProductWidth'(sampler_i.width_reciprocal));
-    assign level_d.product_t = ProductWidth'(major_v_i) * $signed(ProductWidth'(sampler_i.height_reciprocal));
+    if (feline_pkg::FeatureAnySize) begin : gen_any_size
+      assign level_d.product_s = ProductWidth'(major_u_i) * $signed(ProductWidth'(sampler_i.width_reciprocal));
+      assign level_d.product_t = ProductWidth'(major_v_i) * $signed(ProductWidth'(sampler_i.height_reciprocal));
+    end else begin : gen_power_of_two
+      // The reciprocal of a power of two is a shift.
+      assign level_d.product_s = ProductWidth'(major_u_i) <<< feline_pkg::SizeReciprocalFraction;
+      assign level_d.product_t = ProductWidth'(major_v_i) <<< feline_pkg::SizeReciprocalFraction;
+    end
   end else begin : gen_no_product
     assign level_d.product_s = '0;
     assign level_d.product_t = '0;
@@ -115,17 +129,25 @@ module feline_plan_level_step (
   );
 
   // Half step.
-  feline_pkg::plan_t plan_d;
+  feline_pkg::plan_t                  plan_d;
+  logic                               level_missing;
+  logic [feline_pkg::StatusWidth-1:0] plan_status;
+
+  always_comb begin
+    plan_status = level_q.status;
+    plan_status[feline_pkg::StatusUnsupported] = plan_status[feline_pkg::StatusUnsupported] | level_missing;
+  end
 
   assign plan_d.tag    = level_q.tag;
-  assign plan_d.status = level_q.status;
+  assign plan_d.status = plan_status;
   assign plan_d.s      = level_q.s;
   assign plan_d.t      = level_q.t;
   assign plan_d.probes = level_q.probes;
 
   feline_sampled_level u_sampled_level (
     .base_level_i(level_q.base_level), .level_bias_i(sampler_i.level_bias), .min_level_i(sampler_i.min_level),
-    .max_level_i(sampler_i.max_level), .last_level_i(sampler_i.last_level), .mode_i, .magnify_i(sampler_i.magnify),
+    .max_level_i(sampler_i.max_level), .last_level_i(sampler_i.last_level), .levels_cut_i(sampler_i.levels_cut), .mode_i,
+    .magnify_i(sampler_i.magnify), .missing_o(level_missing),
     .level_of_detail_o(plan_d.level_of_detail), .linear_o(plan_d.linear)
   );
   feline_choose_weight_row u_choose_weight_row (

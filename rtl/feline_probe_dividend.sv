@@ -25,7 +25,7 @@ module feline_probe_dividend (
 
   assign ext = feline_pkg::DividendWidth'(major_i) + feline_pkg::DividendWidth'(minor_i) - feline_pkg::DividendWidth'(1);
 
-  if (AnyFeline) begin : gen_feline
+  if (AnyFeline && feline_pkg::FeatureFactors) begin : gen_feline
     logic [ProductWidth-1:0]              product;
     logic [feline_pkg::DividendWidth-1:0] feline;
 

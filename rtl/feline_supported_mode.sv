@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a configuration makes of a mode that it leaves out: trilinear (model/features.h).
+// What a configuration makes of a mode that it leaves out (tables/supported.h).
 `default_nettype none
 
 module feline_supported_mode (
   input  wire logic [feline_pkg::ModeWidth-1:0] mode_i,
   output logic [feline_pkg::ModeWidth-1:0]      mode_o
 );
-  logic left_out;
-
-  assign left_out = (mode_i == feline_pkg::ModeExt && !feline_pkg::FeatureExt) ||
-                    (mode_i == feline_pkg::ModeSimple && !feline_pkg::FeatureSimpleFeline) ||
-                    (mode_i == feline_pkg::ModeTable && !feline_pkg::FeatureTableFeline);
-  assign mode_o = left_out ? feline_pkg::ModeTrilinear : mode_i;
+  always_comb begin
+    unique case (mode_i)
+      feline_pkg::ModeNearest:  mode_o = feline_pkg::SupportedModeNearest;
+      feline_pkg::ModeBilinear: mode_o = feline_pkg::SupportedModeBilinear;
+      feline_pkg::ModeExt:      mode_o = feline_pkg::SupportedModeExt;
+      feline_pkg::ModeSimple:   mode_o = feline_pkg::SupportedModeSimple;
+      feline_pkg::ModeTable:    mode_o = feline_pkg::SupportedModeTable;
+      default:                  mode_o = feline_pkg::SupportedModeTrilinear;
+    endcase
+  end
 endmodule
 
 `default_nettype wire

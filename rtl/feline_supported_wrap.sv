@@ -2,8 +2,7 @@
 // The wrap mode that the machine uses for one that is asked for.
 //
 // Takes and gives a wrap code.
-// Edges  mirrored repeat falls back to repeat and clamp to border to clamp to edge where the configuration leaves them
-//        out (model/features.h); footprint raises the status bit.
+// Edges  what the configuration leaves out falls back as tables/supported.h says; footprint raises the status bit.
 `default_nettype none
 
 module feline_supported_wrap (
@@ -11,11 +10,12 @@ module feline_supported_wrap (
   output logic [feline_pkg::WrapWidth-1:0]      wrap_o
 );
   always_comb begin
-    wrap_o = wrap_i;
-    if (!feline_pkg::FeatureMirroredRepeat && wrap_i == feline_pkg::WrapMirroredRepeat) wrap_o = feline_pkg::WrapRepeat;
-    if (!feline_pkg::FeatureClampToBorder && wrap_i == feline_pkg::WrapClampToBorder) begin
-      wrap_o = feline_pkg::WrapClampToEdge;
-    end
+    unique case (wrap_i)
+      feline_pkg::WrapRepeat:         wrap_o = feline_pkg::SupportedWrapRepeat;
+      feline_pkg::WrapMirroredRepeat: wrap_o = feline_pkg::SupportedWrapMirroredRepeat;
+      feline_pkg::WrapClampToEdge:    wrap_o = feline_pkg::SupportedWrapClampToEdge;
+      feline_pkg::WrapClampToBorder:  wrap_o = feline_pkg::SupportedWrapClampToBorder;
+    endcase
   end
 endmodule
 

@@ -17,6 +17,7 @@ module feline_table_footprint #(
   input  wire logic [IndexWidth-1:0]                       index_i,
   input  wire logic                                        turns_i,
   input  wire logic                                        counter_clockwise_i,
+  output logic                                             present_o,
   output logic signed [feline_pkg::VectorWidth-1:0]        major_u_o,
   output logic signed [feline_pkg::VectorWidth-1:0]        major_v_o,
   output logic [feline_pkg::RadiusWidth-1:0]               major_radius_o,
@@ -41,7 +42,7 @@ module feline_table_footprint #(
   logic [MinorWidth-1:0]         minor;
 
   feline_rom_ellipse u_rom_ellipse (
-    .index_i(index_i),
+    .index_i(index_i), .present_o,
     .data_o ({uv_scale, uv_scale_90, minor_radius, major_radius})
   );
 

@@ -24,7 +24,18 @@ module feline_texel_coordinate (
   logic signed [ProductWidth-1:0] product;
   logic signed [ProductWidth-1:0] offset;
 
-  assign product      = wrapped_i * $signed({1'b0, size_i});
+  if (feline_pkg::FeatureAnySize) begin : gen_any_size
+    assign product = wrapped_i * $signed({1'b0, size_i});
+  end else begin : gen_power_of_two
+    logic [feline_pkg::SizeShiftWidth-1:0] log2;
+
+    feline_one_hot_log2 #(.Width(feline_pkg::SizeWidth), .Log2Width(feline_pkg::SizeShiftWidth)) u_log2 (
+      .value_i(size_i), .log2_o(log2)
+    );
+
+    assign product = ProductWidth'(wrapped_i) <<< log2;
+  end
+
   assign offset       = linear_i ? HalfUlp - HalfTexel : '0;
   assign coordinate_o = CoordinateWidth'((product + offset) >>> Dropped);
 endmodule

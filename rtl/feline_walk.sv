@@ -22,7 +22,7 @@ module feline_walk (
 );
   // n from -(probes - 1) to probes - 1, signed.
   localparam int unsigned StepWidth   = feline_pkg::ProbeCountWidth + 1;
-  localparam int unsigned ColumnWidth = $clog2(feline_pkg::WeightColumns);
+  localparam int unsigned ColumnWidth = feline_pkg::WeightColumns > 1 ? $clog2(feline_pkg::WeightColumns) : 1;
   localparam int unsigned WordWidth   = $clog2((feline_pkg::GaussianRows + feline_pkg::MaxProbes) *
                                                feline_pkg::WeightColumns);
 
@@ -33,6 +33,7 @@ module feline_walk (
   logic [ColumnWidth-1:0]                 column;
   logic [WordWidth-1:0]                   word;
   logic [feline_pkg::WeightWidth-1:0]     weight;
+  logic                                   present;
   logic [feline_pkg::PositionWidth-1:0]   s;
   logic [feline_pkg::PositionWidth-1:0]   t;
   feline_pkg::walk_t                      beat;
@@ -44,7 +45,7 @@ module feline_walk (
   assign column   = ColumnWidth'((distance + StepWidth'(1)) >> 1);
   assign word     = WordWidth'(plan_i.weight_row) * WordWidth'(feline_pkg::WeightColumns) + WordWidth'(column);
 
-  feline_rom_weight u_weight (.index_i(word), .data_o(weight));
+  feline_rom_weight u_weight (.index_i(word), .present_o(present), .data_o(weight));
 
   feline_probe_position u_s (
     .centre_i(plan_i.s), .half_step_i(plan_i.half_step_s), .n_i(n), .position_o(s)
@@ -56,6 +57,7 @@ module feline_walk (
   always_comb begin
     beat.tag             = plan_i.tag;
     beat.status          = plan_i.status;
+    beat.status[feline_pkg::StatusUnsupported] = plan_i.status[feline_pkg::StatusUnsupported] | !present;
     beat.probe           = probe_q;
     beat.first           = probe_q == '0;
     beat.last            = last;

@@ -97,10 +97,17 @@ Rom ellipse_rom(const Config& config, CellRepresentation representation) {
       "the longer vector (Feline 3.3). Row: ratio of the shorter to the longer vector; column: tangent, then cotangent "
       "+ 1.";
   rom.data_bits = 4 * config.entry_bits;
+  rom.tells_presence = true;
   rom.error_unit = "longer vector";
   const auto bits = fraction_bits(config);
   for (int row = 0; row < config.table_rows; ++row) {
     for (int column = 0; column < config.table_columns; ++column) {
+      const bool is_left_out = !config.table_cells.has(rom.words.size());
+      rom.left_out.push_back(is_left_out);
+      if (is_left_out) {
+        rom.words.push_back(0);
+        continue;
+      }
       const auto scales = representation == CellRepresentation::kLeastMean ? least_mean(config, row, column)
                           : representation == CellRepresentation::kLeastWorst
                               ? least_worst(config, row, column)
@@ -145,6 +152,7 @@ void judge_ellipse(const Config& config, Rom& rom) {
     }
   };
   for (std::size_t word = 0; word < rom.words.size(); ++word) {
+    if (!rom.has(word)) continue;
     const auto held = entry_scales(config, rom.words[word]);
     const int row = static_cast<int>(word) / config.table_columns;
     const int column = static_cast<int>(word) % config.table_columns;

@@ -1,48 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <span>
 
 #include "tables/emit.h"
+#include "tables/supported.h"
 
 namespace feline {
 namespace {
-
-struct ConfigField {
-  const char* name;
-  int value;
-};
-
-std::vector<ConfigField> config_fields(const Config& c) {
-  return {{"MantissaBits", c.mantissa_bits},
-          {"TableRows", c.table_rows},
-          {"TableColumns", c.table_columns},
-          {"EntryBits", c.entry_bits},
-          {"SubtexelBits", c.subtexel_bits},
-          {"LevelFractionBits", c.level_fraction_bits},
-          {"WeightBits", c.weight_bits},
-          {"FactorBits", c.factor_bits},
-          {"ReciprocalBits", c.reciprocal_bits},
-          {"LineBits", c.line_bits},
-          {"SizeReciprocalBits", c.size_reciprocal_bits},
-          {"GuardBits", c.guard_bits},
-          {"ChannelFractionBits", c.channel_fraction_bits},
-          {"PixelFractionBits", c.pixel_fraction_bits},
-          {"MaxProbes", c.max_probes},
-          {"MaxSizeLog2", c.max_size_log2},
-          {"TagBits", c.tag_bits}};
-}
-
-std::vector<ConfigField> feature_fields(const Features& f) {
-  return {{"FeatureExt", f.ext},
-          {"FeatureSimpleFeline", f.simple_feline},
-          {"FeatureTableFeline", f.table_feline},
-          {"FeatureGaussian", f.gaussian},
-          {"FeatureSrgb", f.srgb},
-          {"FeatureMirroredRepeat", f.mirrored_repeat},
-          {"FeatureClampToBorder", f.clamp_to_border}};
-}
 
 // Codes as wide as they need to be, which is how wide formats.h makes them.
 void emit_enum(std::string& out, const char* prefix, std::span<const std::string_view> names) {
@@ -67,6 +34,38 @@ void emit_beat(std::string& out, const PackageParts::Beat& beat) {
   }
   out += fmt::format("  }} {0}_t;\n  localparam int unsigned {1}Width = {2};\n", beat.name,
                      upper_camel(beat.name) + (beat.name == "sampler" ? "" : "Beat"), width);
+}
+
+template <typename Beat>
+PackageParts::Beat describe_beat() {
+  PackageParts::Beat beat{std::string(Beat::kName.view()), {}};
+  for_each_shape<Beat>([&](Name name, const Format& format, int count, bool is_array) {
+    beat.members.push_back({std::string(name.view()), format, count, is_array});
+  });
+  return beat;
+}
+
+// The same beat of another configuration.
+PackageParts::Beat adapted(PackageParts::Beat beat, const FormatSet& formats) {
+  const auto all = formats.all();
+  for (auto& member : beat.members) {
+    const auto same_name = [&](const Format& format) { return format.name == member.format.name; };
+    const auto* const found = std::ranges::find_if(all, same_name);
+    if (found != all.end()) member.format = *found;
+    if (member.name == "level_base") member.count = formats.levels;
+  }
+  return beat;
+}
+
+// What a machine makes of each code.
+template <typename Choice, typename Supported>
+void emit_supported(std::string& out, const char* prefix, std::span<const std::string_view> names,
+                    const Supported& supported) {
+  const int width = bits_for(names.size());
+  for (std::size_t code = 0; code < names.size(); ++code) {
+    out += fmt::format("  localparam logic [{}:0] Supported{}{} = {}'d{};\n", width - 1, prefix,
+                       upper_camel(names[code]), width, static_cast<int>(supported(static_cast<Choice>(code))));
+  }
 }
 
 std::uint64_t fold(std::uint64_t hash, std::string_view text) {
@@ -95,6 +94,21 @@ std::string notation(const Format& format) {
   return fmt::format("{}{}.{}", format.is_signed ? 'S' : 'U', format.integer_bits, format.fraction_bits);
 }
 
+PackageParts package_parts(const Config& config) {
+  const FormatSet formats(config);
+  PackageParts parts{formats, {}};
+  constexpr Config kDefault = kDefaultConfig;
+  for (PackageParts::Beat& beat :
+       std::array{describe_beat<SamplerState<kDefault>>(), describe_beat<RequestBeat<kDefault>>(),
+                  describe_beat<GroupBeat<kDefault>>(), describe_beat<FootprintBeat<kDefault>>(),
+                  describe_beat<PlanBeat<kDefault>>(), describe_beat<WalkBeat<kDefault>>(),
+                  describe_beat<AddressBeat<kDefault>>(), describe_beat<FetchBeat<kDefault>>(),
+                  describe_beat<FilterBeat<kDefault>>(), describe_beat<AccumulateBeat<kDefault>>()}) {
+    parts.beats.push_back(adapted(std::move(beat), formats));
+  }
+  return parts;
+}
+
 std::uint64_t fingerprint(const Config& config, const PackageParts& parts, const Roms& roms) {
   std::uint64_t hash = fold(0xcbf29ce484222325, emit_package(config, parts, 0));
   for (const Rom* rom : roms.all()) hash = fold(hash, emit_mem(*rom));
@@ -109,20 +123,22 @@ std::string emit_package(const Config& config, const PackageParts& parts, std::u
       "// \"Parameter is not used: 'MantissaBits'\": the package offers every constant, used here or not.\n"
       "// verilator lint_off UNUSEDPARAM\npackage feline_pkg;\n"
       "  // The configuration (tables/config.h).\n";
-  for (const auto& field : config_fields(config))
-    out += fmt::format("  localparam int unsigned {} = {};\n", field.name, field.value);
-  for (const auto& field : feature_fields(config.features))
-    out += fmt::format("  localparam bit {} = 1'b{};\n", field.name, field.value);
+  for (const ConfigField& each : kConfigFields)
+    out += fmt::format("  localparam int unsigned {} = {};\n", upper_camel(each.name), config.*each.field);
+  for (const FeatureField& each : kFeatureFields)
+    out += fmt::format("  localparam bit Feature{} = 1'b{:d};\n", upper_camel(each.name), config.features.*each.field);
+  const FormatSet& formats = parts.formats;
   out += "\n  // Derived (tables/formats.h).\n";
-  out += fmt::format("  localparam int unsigned Levels = {};\n", parts.levels);
-  out += fmt::format("  localparam int unsigned WeightColumns = {};\n", parts.weight_columns);
-  out += fmt::format("  localparam int unsigned GaussianRows = {};\n", parts.gaussian_rows);
-  out += fmt::format("  localparam int unsigned TileLog2 = {};\n", parts.tile_log2);
-  out += fmt::format("  localparam int unsigned SaturationLog2 = {};\n", parts.saturation_log2);
-  out += fmt::format("  localparam int unsigned EighthsWidth = {};\n", parts.eighths_width);
-  out += fmt::format("  localparam int unsigned DividendWidth = {};\n", parts.dividend_width);
+  out += fmt::format("  localparam int unsigned Levels = {};\n", formats.levels);
+  out += fmt::format("  localparam int unsigned Channels = {};\n", channel_count(config.features));
+  out += fmt::format("  localparam int unsigned WeightColumns = {};\n", formats.weight_columns);
+  out += fmt::format("  localparam int unsigned GaussianRows = {};\n", formats.gaussian_rows);
+  out += fmt::format("  localparam int unsigned TileLog2 = {};\n", kTileLog2);
+  out += fmt::format("  localparam int unsigned SaturationLog2 = {};\n", formats.saturation_log2);
+  out += fmt::format("  localparam int unsigned EighthsWidth = {};\n", formats.eighths_width);
+  out += fmt::format("  localparam int unsigned DividendWidth = {};\n", formats.dividend_width);
   out += "\n  // Widths and fraction bits of the formats.\n";
-  for (const Format& format : parts.formats) {
+  for (const Format& format : formats.all()) {
     const std::string name = upper_camel(format.name.view());
     out += fmt::format("  localparam int unsigned {}Width = {};  // {}, {}\n", name, format.width(), notation(format),
                        format.unit.view());
@@ -136,6 +152,12 @@ std::string emit_package(const Config& config, const PackageParts& parts, std::u
   emit_enum(out, "Wrap", kWrapNames);
   emit_enum(out, "TexelFormat", kTexelFormatNames);
   emit_enum(out, "ProbeRounding", kProbeRoundingNames);
+  out += "  // What this machine makes of each (tables/supported.h).\n";
+  const Features& features = config.features;
+  emit_supported<Mode>(out, "Mode", kModeNames, [&](Mode mode) { return supported_mode(features, mode); });
+  emit_supported<Wrap>(out, "Wrap", kWrapNames, [&](Wrap wrap) { return supported_wrap(features, wrap); });
+  emit_supported<TexelFormat>(out, "TexelFormat", kTexelFormatNames,
+                              [&](TexelFormat format) { return supported_format(features, format); });
   out += "  // Bits of the status.\n";
   for (std::size_t bit = 0; bit < kStatusNames.size(); ++bit) {
     out += fmt::format("  localparam int unsigned Status{} = {};\n", upper_camel(kStatusNames[bit]), bit);

@@ -23,6 +23,11 @@ void append_rounded(Rom& rom, Interval real, int fraction_bits) {
 
 }  // namespace
 
+Roms make_roms(const Config& config) {
+  return {ellipse_rom(config), weight_rom(config),     gaussian_rom(config),
+          log2_rom(config),    reciprocal_rom(config), srgb_rom(config)};
+}
+
 Rom gaussian_rom(const Config& config) {
   Rom rom;
   rom.name = "gaussian";

@@ -10,7 +10,7 @@ int main(int argc, char** argv) {
     std::fputs("usage: feline_generate DIRECTORY\n", stderr);
     return 2;
   }
-  for (const auto& file : feline::generate<feline::kDefaultConfig>(feline::measured_roms<feline::kDefaultConfig>())) {
+  for (const auto& file : feline::generate(feline::kDefaultConfig, feline::measured_roms(feline::kDefaultConfig))) {
     const std::string path = std::string(argv[1]) + "/" + file.name;
     std::ofstream out(path, std::ios::binary);
     out << file.text;

@@ -16,9 +16,13 @@ struct Rom {
   std::string contents;  // what word i holds, with formats and source
   int data_bits = 0;
   std::vector<std::uint64_t> words;
+  std::vector<bool> left_out{};  // none, or one a word: the word is 0, and the module says that it is not there
+  bool tells_presence = false;   // the module has an output for it
   std::string error_unit;
   double worst_error = 0;
   std::size_t worst_word = 0;
+
+  bool has(std::size_t word) const { return left_out.empty() || !left_out[word]; }
 };
 
 // The four values of an ellipse table word, raw (Feline 3.3): the factors of the longer vector and of the longer vector
@@ -51,11 +55,12 @@ Rom gaussian_rom(const Config& config);
 Rom log2_rom(const Config& config);
 Rom reciprocal_rom(const Config& config);
 Rom srgb_rom(const Config& config);
-// All of them, built when first asked for; ellipse table and weights without their errors, which take a while.
+// All of them; ellipse table and weights without their errors, which take a while.
+Roms make_roms(const Config& config);
+// The same, built when first asked for.
 template <Config kConfig>
 const Roms& roms() {
-  static const Roms built{ellipse_rom(kConfig), weight_rom(kConfig),     gaussian_rom(kConfig),
-                          log2_rom(kConfig),    reciprocal_rom(kConfig), srgb_rom(kConfig)};
+  static const Roms built = make_roms(kConfig);
   return built;
 }
 

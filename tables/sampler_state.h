@@ -21,12 +21,14 @@ struct SamplerState {
   Fixed<F::kTexelFormat> texel_format;
   Fixed<F::kFlag> srgb;
   Fixed<F::kSize> width, height;
-  Fixed<F::kLevel> smallest_level;  // where the full chain reaches 1 x 1: floor(log2(max(width, height)))
-  Fixed<F::kLevel> last_level;      // the coarsest level in memory
+  Fixed<F::kFullLevel> smallest_level;  // where the full chain reaches 1 x 1: floor(log2(max(width, height)))
+  Fixed<F::kLevel> last_level;          // the coarsest level in memory, or of the machine
+  Fixed<F::kFlag> levels_cut;           // the texture has more levels than the machine
   Fixed<F::kSizeReciprocal> width_reciprocal, height_reciprocal;  // 1/size = reciprocal * 2^-shift
   Fixed<F::kSizeShift> width_shift, height_shift;
   Fixed<F::kFlag> probe_rounding;
   Fixed<F::kProbeCount> max_probes;
+  Fixed<F::kFlag> probes_cut;              // the application grants more probes than the machine has
   Fixed<F::kFactor> length_factor;         // <= 1
   Fixed<F::kFactor> blur_factor;           // >= 1
   Fixed<F::kFactor> inverse_alias_factor;  // 1/aliasFactor
@@ -48,12 +50,14 @@ struct SamplerState {
                       field("height", &SamplerState::height),
                       field("smallest_level", &SamplerState::smallest_level),
                       field("last_level", &SamplerState::last_level),
+                      field("levels_cut", &SamplerState::levels_cut),
                       field("width_reciprocal", &SamplerState::width_reciprocal),
                       field("height_reciprocal", &SamplerState::height_reciprocal),
                       field("width_shift", &SamplerState::width_shift),
                       field("height_shift", &SamplerState::height_shift),
                       field("probe_rounding", &SamplerState::probe_rounding),
                       field("max_probes", &SamplerState::max_probes),
+                      field("probes_cut", &SamplerState::probes_cut),
                       field("length_factor", &SamplerState::length_factor),
                       field("blur_factor", &SamplerState::blur_factor),
                       field("inverse_alias_factor", &SamplerState::inverse_alias_factor),

@@ -78,6 +78,12 @@ bool lost_more(const Row& row, const std::vector<Interval>& lost, std::size_t a,
 // Rounds a row so that it sums to exactly one: every weight down, then the units that are missing to the weights that
 // lost most (ties to the lower column), which is the rounding of least worst error.
 void append_row(const Config& config, Rom& rom, const Row& row) {
+  const bool is_left_out = !config.weight_rows.has(rom.words.size() / row.weight.size());
+  rom.left_out.insert(rom.left_out.end(), row.weight.size(), is_left_out);
+  if (is_left_out) {
+    rom.words.resize(rom.words.size() + row.weight.size());
+    return;
+  }
   const std::int64_t one = std::int64_t{1} << config.weight_bits;
   std::vector<std::int64_t> rounded;
   std::vector<Interval> lost;
@@ -140,6 +146,7 @@ Rom weight_rom(const Config& config) {
       "max_probes, Gaussian exp(-2 d^2) (Feline 3.1, 3.2), then equal weights of 1 to max_probes probes "
       "(EXT_texture_filter_anisotropic). The weights of a pixel sum to exactly one.";
   rom.data_bits = config.weight_bits + 1;
+  rom.tells_presence = true;
   rom.error_unit = "weight";
   for (int quarters = 4; quarters <= 4 * config.max_probes; ++quarters)
     append_row(config, rom, representative_row(config, quarters));
@@ -158,7 +165,7 @@ void judge_weights(const Config& config, Rom& rom) {
     const int quarters = row + 4;
     const bool is_equal = row >= gaussian_rows;
     const int probes = is_equal ? row - gaussian_rows + 1 : (quarters + 3) / 4;
-    if (uses(probes, column) == 0) continue;
+    if (uses(probes, column) == 0 || !rom.has(word)) continue;
     const double stored = static_cast<double>(rom.words[word]) / one;
     const int low = quarters % 4 == 1 ? quarters - 1 : quarters;
     const int high = quarters % 4 == 0 ? quarters : quarters + 1;

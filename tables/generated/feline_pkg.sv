@@ -7,6 +7,7 @@
 package feline_pkg;
   // The configuration (tables/config.h).
   localparam int unsigned MantissaBits = 8;
+  localparam int unsigned ExponentBits = 6;
   localparam int unsigned TableRows = 16;
   localparam int unsigned TableColumns = 16;
   localparam int unsigned EntryBits = 8;
@@ -17,22 +18,42 @@ package feline_pkg;
   localparam int unsigned ReciprocalBits = 16;
   localparam int unsigned LineBits = 12;
   localparam int unsigned SizeReciprocalBits = 15;
+  localparam int unsigned MaxSizeLog2 = 14;
   localparam int unsigned GuardBits = 2;
   localparam int unsigned ChannelFractionBits = 4;
   localparam int unsigned PixelFractionBits = 8;
   localparam int unsigned MaxProbes = 16;
-  localparam int unsigned MaxSizeLog2 = 14;
+  localparam int unsigned MaxLevels = 16;
   localparam int unsigned TagBits = 16;
+  localparam bit FeatureNearest = 1'b1;
+  localparam bit FeatureBilinear = 1'b1;
+  localparam bit FeatureTrilinear = 1'b1;
   localparam bit FeatureExt = 1'b1;
   localparam bit FeatureSimpleFeline = 1'b1;
   localparam bit FeatureTableFeline = 1'b1;
   localparam bit FeatureGaussian = 1'b1;
-  localparam bit FeatureSrgb = 1'b1;
+  localparam bit FeatureFactors = 1'b1;
+  localparam bit FeatureRepeat = 1'b1;
   localparam bit FeatureMirroredRepeat = 1'b1;
+  localparam bit FeatureClampToEdge = 1'b1;
   localparam bit FeatureClampToBorder = 1'b1;
+  localparam bit FeatureR8 = 1'b1;
+  localparam bit FeatureRg8 = 1'b1;
+  localparam bit FeatureRgba8 = 1'b1;
+  localparam bit FeatureSrgb = 1'b1;
+  localparam bit FeatureAlpha = 1'b1;
+  localparam bit FeatureAnySize = 1'b1;
+  localparam bit FeatureLevelBlend = 1'b1;
+  localparam bit FeatureLinearTexels = 1'b1;
+  localparam bit FeatureNearestTexels = 1'b1;
+  localparam bit FeatureDudx = 1'b1;
+  localparam bit FeatureDvdx = 1'b1;
+  localparam bit FeatureDudy = 1'b1;
+  localparam bit FeatureDvdy = 1'b1;
 
   // Derived (tables/formats.h).
   localparam int unsigned Levels = 15;
+  localparam int unsigned Channels = 4;
   localparam int unsigned WeightColumns = 9;
   localparam int unsigned GaussianRows = 61;
   localparam int unsigned TileLog2 = 2;
@@ -62,6 +83,7 @@ package feline_pkg;
   localparam int unsigned LevelFractionWidth = 8;  // U0.8, octave
   localparam int unsigned LevelFractionFraction = 8;
   localparam int unsigned LevelWidth = 4;  // U4.0, level
+  localparam int unsigned FullLevelWidth = 4;  // U4.0, level
   localparam int unsigned ProbeCountWidth = 5;  // U5.0, probe
   localparam int unsigned ProbeIndexWidth = 4;  // U4.0, probe
   localparam int unsigned WeightRowWidth = 7;  // U7.0, row
@@ -117,6 +139,20 @@ package feline_pkg;
   localparam logic [1:0] TexelFormatRgba8 = 2'd2;
   localparam logic [0:0] ProbeRoundingNearest = 1'd0;
   localparam logic [0:0] ProbeRoundingCeiling = 1'd1;
+  // What this machine makes of each (tables/supported.h).
+  localparam logic [2:0] SupportedModeNearest = 3'd0;
+  localparam logic [2:0] SupportedModeBilinear = 3'd1;
+  localparam logic [2:0] SupportedModeTrilinear = 3'd2;
+  localparam logic [2:0] SupportedModeExt = 3'd3;
+  localparam logic [2:0] SupportedModeSimple = 3'd4;
+  localparam logic [2:0] SupportedModeTable = 3'd5;
+  localparam logic [1:0] SupportedWrapRepeat = 2'd0;
+  localparam logic [1:0] SupportedWrapMirroredRepeat = 2'd1;
+  localparam logic [1:0] SupportedWrapClampToEdge = 2'd2;
+  localparam logic [1:0] SupportedWrapClampToBorder = 2'd3;
+  localparam logic [1:0] SupportedTexelFormatR8 = 2'd0;
+  localparam logic [1:0] SupportedTexelFormatRg8 = 2'd1;
+  localparam logic [1:0] SupportedTexelFormatRgba8 = 2'd2;
   // Bits of the status.
   localparam int unsigned StatusCoordinateNotFinite = 0;
   localparam int unsigned StatusDerivativeNotFinite = 1;
@@ -136,12 +172,14 @@ package feline_pkg;
     logic [14:0] height;  // U15.0, texel
     logic [3:0] smallest_level;  // U4.0, level
     logic [3:0] last_level;  // U4.0, level
+    logic levels_cut;  // U1.0, truth
     logic [15:0] width_reciprocal;  // U1.15, texture/texel
     logic [15:0] height_reciprocal;  // U1.15, texture/texel
     logic [3:0] width_shift;  // U4.0, octave
     logic [3:0] height_shift;  // U4.0, octave
     logic probe_rounding;  // U1.0, truth
     logic [4:0] max_probes;  // U5.0, probe
+    logic probes_cut;  // U1.0, truth
     logic [8:0] length_factor;  // U1.8, ratio
     logic [8:0] blur_factor;  // U1.8, ratio
     logic [8:0] inverse_alias_factor;  // U1.8, ratio
@@ -152,7 +190,7 @@ package feline_pkg;
     logic [3:0][11:0] border;  // U8.4, 1/255
     logic [14:0][24:0] level_base;  // U25.0, memory line
   } sampler_t;
-  localparam int unsigned SamplerWidth = 593;
+  localparam int unsigned SamplerWidth = 595;
 
   typedef struct packed {
     logic [15:0] tag;  // U16.0, lookup
@@ -287,7 +325,7 @@ package feline_pkg;
   } accumulate_t;
   localparam int unsigned AccumulateBeatWidth = 84;
 
-  localparam logic [63:0] Fingerprint = 64'h04679e90272fc681;
+  localparam logic [63:0] Fingerprint = 64'h04ee1b84ff669ad3;
 endpackage
 // verilator lint_on UNUSEDPARAM
 

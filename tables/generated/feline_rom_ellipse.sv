@@ -7,9 +7,11 @@
 
 module feline_rom_ellipse (
   input  wire logic [7:0] index_i,
+  output logic present_o,
   output logic [31:0] data_o
 );
   always_comb begin
+    present_o = 1'b1;
     unique case (index_i)
       8'd0: data_o = 32'h80000080;
       8'd1: data_o = 32'h80000180;
@@ -267,7 +269,10 @@ module feline_rom_ellipse (
       8'd253: data_o = 32'h8d8ca69e;
       8'd254: data_o = 32'h938599a1;
       8'd255: data_o = 32'h977d8ea4;
-      default: data_o = 32'h0;
+      default: begin
+        data_o = 32'h0;
+        present_o = 1'b0;
+      end
     endcase
   end
 endmodule

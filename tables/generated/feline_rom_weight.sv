@@ -8,9 +8,11 @@
 
 module feline_rom_weight (
   input  wire logic [9:0] index_i,
+  output logic present_o,
   output logic [8:0] data_o
 );
   always_comb begin
+    present_o = 1'b1;
     unique case (index_i)
       10'd0: data_o = 9'h100;
       10'd1: data_o = 9'h000;
@@ -705,7 +707,10 @@ module feline_rom_weight (
       10'd690: data_o = 9'h010;
       10'd691: data_o = 9'h010;
       10'd692: data_o = 9'h010;
-      default: data_o = 9'h0;
+      default: begin
+        data_o = 9'h0;
+        present_o = 1'b0;
+      end
     endcase
   end
 endmodule

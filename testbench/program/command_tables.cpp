@@ -64,14 +64,14 @@ std::vector<Judged> judge_representations() {
 }
 
 int run_tables(const TablesOptions& options) {
-  const Roms measured = measured_roms<kDefaultConfig>();
+  const Roms measured = measured_roms(kDefaultConfig);
   if (!options.output.empty()) {
     const std::filesystem::path directory = options.output;
     if (!std::filesystem::is_directory(directory)) {
       bad_input(options.output, "--output", "no directory", "a directory that exists");
     }
     OutputFiles outputs;
-    for (const GeneratedFile& file : generate<kDefaultConfig>(measured)) {
+    for (const GeneratedFile& file : generate(kDefaultConfig, measured)) {
       outputs.write(directory / file.name, file.text);
     }
     write_heat_map(outputs, directory / "ellipse.png", measured.ellipse);

@@ -51,7 +51,7 @@ TEST(readme, commands) {
 TEST(readme, faults) { expect_said(fmt::format("| {0} of {0} faults |", std::size(kFaults))); }
 
 TEST(readme, roms) {
-  const Roms measured = measured_roms<kDefaultConfig>();
+  const Roms measured = measured_roms(kDefaultConfig);
   for (const Rom* rom : measured.all()) {
     expect_said(fmt::format("| {} | {} x {} | {:.6g}", rom->name, rom->words.size(), rom->data_bits, rom->worst_error));
   }

@@ -52,7 +52,7 @@ TEST(format, bits_for_counts) {
 
 TEST(format, names_are_unique) {
   std::set<std::string> names;
-  for (const Format& format : F::kAll) {
+  for (const Format& format : F::kSet.all()) {
     EXPECT_TRUE(names.insert(std::string(format.name.view())).second) << format.name.view();
     EXPECT_GT(format.width(), 0) << format.name.view();
     EXPECT_LE(format.width(), 62) << format.name.view();

@@ -16,7 +16,7 @@ const std::filesystem::path kDirectory = std::filesystem::path(FELINE_SOURCE_DIR
 // What is checked in is what the generator writes, byte for byte, and nothing else lies there.
 TEST(generated, files_equal_a_fresh_run) {
   std::set<std::string> names;
-  for (const auto& file : generate<kDefaultConfig>(measured_roms<kDefaultConfig>())) {
+  for (const auto& file : generate(kDefaultConfig, measured_roms(kDefaultConfig))) {
     names.insert(file.name);
     std::ifstream in(kDirectory / file.name, std::ios::binary);
     std::stringstream held;
@@ -32,7 +32,7 @@ TEST(generated, files_equal_a_fresh_run) {
 
 template <Config kConfig>
 std::uint64_t print_of() {
-  return fingerprint(kConfig, package_parts<kConfig>(), roms<kDefaultConfig>());
+  return fingerprint(kConfig, package_parts(kConfig), roms<kDefaultConfig>());
 }
 
 // Calls change(config) on the default and takes the fingerprint, the ROMs left alone.
@@ -78,7 +78,7 @@ TEST(generated, fingerprint_changes_with_every_field_of_the_configuration) {
 // A flipped bit of any ROM is another machine.
 TEST(generated, fingerprint_changes_with_every_rom) {
   std::set<std::uint64_t> prints;
-  const PackageParts parts = package_parts<kDefaultConfig>();
+  const PackageParts parts = package_parts(kDefaultConfig);
   for (std::size_t i = 0; i < 6; ++i) {
     Roms changed = roms<kDefaultConfig>();
     Rom* const all[] = {&changed.ellipse, &changed.weight,     &changed.gaussian,
