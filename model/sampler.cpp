@@ -138,5 +138,8 @@ SamplerState<kConfig> make_sampler(const SamplerOptions& options, const Texture&
 
 template SamplerState<kDefaultConfig> make_sampler<kDefaultConfig>(const SamplerOptions&, const Texture&,
                                                                    const TextureMemory&);
+#ifdef FELINE_UNIT_HEADER
+template SamplerState<kUnit> make_sampler<kUnit>(const SamplerOptions&, const Texture&, const TextureMemory&);
+#endif
 
 }  // namespace feline

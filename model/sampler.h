@@ -8,6 +8,7 @@
 
 #include "model/memory.h"
 #include "tables/sampler_state.h"
+#include "tables/unit.h"
 
 namespace feline {
 

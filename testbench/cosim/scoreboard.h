@@ -10,10 +10,9 @@
 #include "model/unit.h"
 #include "tables/pack.h"
 #include "tables/stages.h"
+#include "tables/unit.h"
 
 namespace feline {
-
-inline constexpr Config kUnit = kDefaultConfig;
 
 // Where RTL and model part: the first wrong stage, and both beats as packed words.
 struct Mismatch {

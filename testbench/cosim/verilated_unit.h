@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "tables/pack.h"
+#include "tables/unit.h"
 #include "testbench/cosim/rtl_unit.h"
 
 namespace feline {
@@ -92,14 +93,14 @@ class VerilatedUnit : public RtlUnit {
 
   std::span<const std::uint32_t> beat(Stage stage) const override {
     switch (stage) {
-      case Stage::kGroup: return load<GroupBeat<kDefaultConfig>>(unit_->group_o);
-      case Stage::kFootprint: return load<FootprintBeat<kDefaultConfig>>(unit_->footprint_o);
-      case Stage::kPlan: return load<PlanBeat<kDefaultConfig>>(unit_->plan_o);
-      case Stage::kWalk: return load<WalkBeat<kDefaultConfig>>(unit_->walk_o);
-      case Stage::kAddress: return load<AddressBeat<kDefaultConfig>>(unit_->address_o);
-      case Stage::kFetch: return load<FetchBeat<kDefaultConfig>>(unit_->fetch_o);
-      case Stage::kFilter: return load<FilterBeat<kDefaultConfig>>(unit_->filter_o);
-      case Stage::kAccumulate: return load<AccumulateBeat<kDefaultConfig>>(unit_->accumulate_o);
+      case Stage::kGroup: return load<GroupBeat<kUnit>>(unit_->group_o);
+      case Stage::kFootprint: return load<FootprintBeat<kUnit>>(unit_->footprint_o);
+      case Stage::kPlan: return load<PlanBeat<kUnit>>(unit_->plan_o);
+      case Stage::kWalk: return load<WalkBeat<kUnit>>(unit_->walk_o);
+      case Stage::kAddress: return load<AddressBeat<kUnit>>(unit_->address_o);
+      case Stage::kFetch: return load<FetchBeat<kUnit>>(unit_->fetch_o);
+      case Stage::kFilter: return load<FilterBeat<kUnit>>(unit_->filter_o);
+      case Stage::kAccumulate: return load<AccumulateBeat<kUnit>>(unit_->accumulate_o);
     }
     return {};
   }
