@@ -14,7 +14,8 @@ namespace {
 
 constexpr int kLeft = 74;  // for the names of rows
 constexpr int kTop = 6;
-constexpr int kBelow = 92;  // for the names of columns, the label and the legend
+constexpr int kBelow = 92;        // for the names of columns, the label and the legend
+constexpr int kLeastCrossed = 8;  // of narrower cells nothing but their crosses would be seen
 constexpr int kLegendWidth = 160;
 constexpr int kLegendSteps = 32;
 
@@ -39,7 +40,8 @@ std::string cells(const HeatMap& map, std::uint64_t most) {
       const int y = kTop + row * map.cell_height;
       rectangles += fmt::format("<rect x='{}' y='{}' width='{}' height='{}' fill='{}'><title>{}</title></rect>\n", x, y,
                                 map.cell_width, map.cell_height, colour_text(*count, most), *count);
-      if (*count == 0) crosses += fmt::format("M{} {}l{} {}", x, y, map.cell_width, map.cell_height);
+      if (*count == 0 && map.cell_width >= kLeastCrossed)
+        crosses += fmt::format("M{} {}l{} {}", x, y, map.cell_width, map.cell_height);
     }
   }
   return "<g shape-rendering='crispEdges'>\n" + rectangles + "</g>\n" +
@@ -53,6 +55,7 @@ std::string legend(int x, int y, std::uint64_t most) {
   html += text(x + 28, y + 12, "start", "never");
   if (most == 0) return html;
   const int bar = x + 100;
+  html += "<g shape-rendering='crispEdges'>\n";
   for (int step = 0; step < kLegendSteps; ++step) {
     const double share = (step + 0.5) / kLegendSteps;
     const auto count = static_cast<std::uint64_t>(std::max(std::exp(share * std::log(static_cast<double>(most))), 1.0));
@@ -60,7 +63,7 @@ std::string legend(int x, int y, std::uint64_t most) {
         fmt::format("<rect x='{}' y='{}' width='{}' height='14' fill='{}'/>\n",
                     bar + step * kLegendWidth / kLegendSteps, y, kLegendWidth / kLegendSteps, colour_text(count, most));
   }
-  html += text(bar - 6, y + 12, "end", "1");
+  html += "</g>\n" + text(bar - 6, y + 12, "end", "1");
   return html + text(bar + kLegendWidth + 6, y + 12, "start", fmt::format("{}", most));
 }
 
@@ -68,11 +71,12 @@ std::string legend(int x, int y, std::uint64_t most) {
 
 std::array<int, 3> heat_colour(std::uint64_t count, std::uint64_t most) {
   if (count == 0) return {138, 155, 172};
-  // Black, red, yellow, white, from where 1 can be told from black.
+  // Black, red, yellow, white, without the ends that pages have themselves.
   constexpr double kLeast = 0.14;
+  constexpr double kMost = 0.9;
   const double whole = std::log(static_cast<double>(std::max<std::uint64_t>(most, 2)));
   const double share = std::clamp(std::log(static_cast<double>(count)) / whole, 0.0, 1.0);
-  const int value = static_cast<int>(765 * (kLeast + (0.97 - kLeast) * share));
+  const int value = static_cast<int>(765 * (kLeast + (kMost - kLeast) * share));
   return {std::clamp(value, 0, 255), std::clamp(value - 255, 0, 255), std::clamp(value - 510, 0, 255)};
 }
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -46,7 +47,7 @@ class CurrentTexture {
  public:
   using Load = std::function<Texture(MipEdge)>;
 
-  // Stays as it is when the name is the last one's.
+  // Nothing is loaded again when the path is the last one's.
   void choose(const std::string& path, const std::string& name, Load load) {
     if (path == path_) return;
     path_ = path;
@@ -76,6 +77,7 @@ class CurrentTexture {
 std::vector<std::filesystem::path> expand(const std::vector<std::string>& given) {
   std::vector<std::filesystem::path> files;
   for (const std::filesystem::path path : given) {
+    if (!std::filesystem::exists(path)) bad_input(path.string(), "--gbuffer", "no such file", "EXR files");
     if (!std::filesystem::is_directory(path)) {
       files.push_back(path);
       continue;
@@ -91,6 +93,39 @@ std::vector<std::filesystem::path> expand(const std::vector<std::string>& given)
   return files;
 }
 
+// What is to be profiled, checked before anything is.
+struct ProfilePlan {
+  std::vector<const Scene*> scenes;
+  Size size;
+  std::vector<std::filesystem::path> files;  // G-buffers
+  std::vector<SamplerOptions> samplers;
+};
+
+ProfilePlan plan_profile(const ProfileOptions& options) {
+  ProfilePlan plan;
+  plan.samplers = options.sampler.combinations();
+  plan.size = parse_size("--size", options.size);
+  if (options.scenes == "all") {
+    for (const Scene& scene : scenes()) plan.scenes.push_back(&scene);
+  } else if (!options.scenes.empty()) {
+    for (const std::string& name : split_list("--scene", options.scenes)) plan.scenes.push_back(&find_scene(name));
+  } else if (options.gbuffers.empty() && options.merged.empty()) {
+    plan.scenes.push_back(&scenes().front());
+  }
+  plan.files = expand(options.gbuffers);
+  const std::size_t textures = options.textures.size();
+  if (!plan.files.empty() && textures != 1 && textures != plan.files.size()) {
+    const std::string one = plan.files.size() == 1 ? "one file" : "one file, or one for each G-buffer";
+    bad_input("command line", "--texture", textures == 0 ? "nothing" : fmt::format("{} files", textures),
+              fmt::format("{}: {}", one, plan.files.size()));
+  }
+  for (const std::filesystem::path texture : options.textures) {
+    if (!std::filesystem::exists(texture))
+      bad_input(texture.string(), "--texture", "no such file", "image or .tx files");
+  }
+  return plan;
+}
+
 // The frames of a sequence are one source: "frame_0017" is of "frame_#".
 std::string source_name(const std::filesystem::path& file) {
   const std::string stem = file.stem().string();
@@ -99,10 +134,12 @@ std::string source_name(const std::filesystem::path& file) {
   return last + 1 == stem.size() ? stem : stem.substr(0, last + 1) + "#";
 }
 
+constexpr std::uint64_t kShare = 1024;  // of the progress, a frame
+
 // One frame under every sampler asked for.
 void observe_frame(Profile& profile, const std::string& source, const GBuffer& gbuffer, CurrentTexture& texture,
-                   const std::vector<SamplerOptions>& samplers, Progress& progress, std::uint64_t share) {
-  Progress part(progress, share, gbuffer.lookups.size() * samplers.size());
+                   const std::vector<SamplerOptions>& samplers, Progress& progress) {
+  Progress part(progress, kShare, gbuffer.lookups.size() * samplers.size());
   for (const SamplerOptions& options : samplers) {
     const LoadedTexture& loaded = texture.get(mip_edge(options));
     const auto sampler = prepare_sampler(options, loaded.texture, loaded.memory);
@@ -110,56 +147,40 @@ void observe_frame(Profile& profile, const std::string& source, const GBuffer& g
   }
 }
 
-constexpr std::uint64_t kShare = 1024;  // of the progress, a frame
-
-void profile_scenes(Profile& profile, const ProfileOptions& options, const std::vector<SamplerOptions>& samplers) {
-  const Size size = parse_size("--size", options.size);
-  std::vector<const Scene*> chosen;
-  if (options.scenes == "all") {
-    for (const Scene& scene : scenes()) chosen.push_back(&scene);
-  } else {
-    for (const std::string& name : split_list("--scene", options.scenes)) chosen.push_back(&find_scene(name));
-  }
+void profile_scenes(Profile& profile, const ProfilePlan& plan) {
   std::uint64_t frames = 0;
-  for (const Scene* const scene : chosen) frames += static_cast<std::uint64_t>(frame_count(*scene));
+  for (const Scene* const scene : plan.scenes) frames += static_cast<std::uint64_t>(frame_count(*scene));
   Progress progress("profiling", frames * kShare);
-  for (const Scene* const scene : chosen) {
+  for (const Scene* const scene : plan.scenes) {
     const std::string name(scene->name);
     CurrentTexture texture;
     texture.choose(name, name, [&](MipEdge edge) { return scene->texture(MipFilter::kLanczos, edge); });
     for (int i = 0; i < frame_count(*scene); ++i) {
-      const GBuffer gbuffer = make_gbuffer(frame(*scene, i), size.width, size.height);
-      observe_frame(profile, name, gbuffer, texture, samplers, progress, kShare);
+      const GBuffer gbuffer = make_gbuffer(frame(*scene, i), plan.size.width, plan.size.height);
+      observe_frame(profile, name, gbuffer, texture, plan.samplers, progress);
     }
   }
 }
 
 // One frame in memory at a time, and one texture.
-void profile_files(Profile& profile, const ProfileOptions& options, const std::vector<SamplerOptions>& samplers) {
-  const std::vector<std::filesystem::path> files = expand(options.gbuffers);
-  const std::size_t textures = options.textures.size();
-  if (textures != 1 && textures != files.size()) {
-    bad_input("command line", "--texture", textures == 0 ? "nothing" : fmt::format("{} files", textures),
-              files.size() == 1 ? "one file" : fmt::format("one file, or {}, one for each G-buffer", files.size()));
-  }
-  Progress progress("profiling", files.size() * kShare);
+void profile_files(Profile& profile, const ProfilePlan& plan, const ProfileOptions& options) {
+  Progress progress("profiling", plan.files.size() * kShare);
   CurrentTexture texture;
-  for (std::size_t i = 0; i < files.size(); ++i) {
+  for (std::size_t i = 0; i < plan.files.size(); ++i) {
     SubjectOptions subject = options.texture;
-    subject.texture = options.textures[textures == 1 ? 0 : i];
+    subject.texture = options.textures[options.textures.size() == 1 ? 0 : i];
     const std::string name = std::filesystem::path(subject.texture).stem().string();
     texture.choose(subject.texture, name, [subject](MipEdge edge) { return subject.load_texture_only(edge); });
-    const GBuffer gbuffer = read_gbuffer(files[i], {options.allow_non_finite});
-    observe_frame(profile, source_name(files[i]), gbuffer, texture, samplers, progress, kShare);
+    const GBuffer gbuffer = read_gbuffer(plan.files[i], {options.allow_non_finite});
+    observe_frame(profile, source_name(plan.files[i]), gbuffer, texture, plan.samplers, progress);
   }
 }
 
-int run_profile(ProfileOptions options) {
+int run_profile(const ProfileOptions& options) {
+  const ProfilePlan plan = plan_profile(options);
+  Profile profile;
+  for (const std::string& file : options.merged) merge(profile, read_profile(file));
   const std::filesystem::path directory = options.output;
-  const std::vector<SamplerOptions> samplers = options.sampler.combinations();
-  if (options.scenes.empty() && options.gbuffers.empty() && options.merged.empty()) {
-    options.scenes = scenes().front().name;
-  }
   if (!options.output.empty()) {
     page::check_gnuplot();
     std::error_code error;
@@ -167,10 +188,8 @@ int run_profile(ProfileOptions options) {
     if (error) bad_input(options.output, "--output", error.message(), "a directory, or where one can be made");
     for (const char* const name : {"profile.json", "profile.html"}) check_writable(directory / name);
   }
-  Profile profile;
-  for (const std::string& file : options.merged) merge(profile, read_profile(file));
-  if (!options.gbuffers.empty()) profile_files(profile, options, samplers);
-  if (!options.scenes.empty()) profile_scenes(profile, options, samplers);
+  if (!plan.scenes.empty()) profile_scenes(profile, plan);
+  if (!plan.files.empty()) profile_files(profile, plan, options);
   const std::string json = profile_to_json(profile);
   if (!options.output.empty()) {
     OutputFiles outputs;

@@ -52,8 +52,6 @@ constexpr ReachFacts bits(std::string_view part, std::string_view name, std::str
   return {part, name, text, 0, format.width(), each};
 }
 
-constexpr std::string_view kMantissaText = "mantissa, texels * 2^exponent";
-
 void add(Histogram& into, const Histogram& from) {
   for (const auto& [value, count] : from) {
     std::uint64_t& sum = into[value];
@@ -89,10 +87,10 @@ const std::array<ReachFacts, kReachCount> kReachFacts{
     bits("group", "s_bits", "bits of |s|, raw", F::kPosition),
     bits("group", "t_bits", "bits of |t|, raw", F::kPosition),
     raw("group", "exponent", "exponent", F::kExponent),
-    raw("group", "dudx", kMantissaText, F::kMantissa),
-    raw("group", "dvdx", kMantissaText, F::kMantissa),
-    raw("group", "dudy", kMantissaText, F::kMantissa),
-    raw("group", "dvdy", kMantissaText, F::kMantissa),
+    raw("group", "dudx", "du/dx: mantissa, texels * 2^exponent", F::kMantissa),
+    raw("group", "dvdx", "dv/dx: mantissa, texels * 2^exponent", F::kMantissa),
+    raw("group", "dudy", "du/dy: mantissa, texels * 2^exponent", F::kMantissa),
+    raw("group", "dvdy", "dv/dy: mantissa, texels * 2^exponent", F::kMantissa),
     {"footprint", "cell", "ellipse table cell, row * columns + column; lookups of mode table", 0,
      kDefaultConfig.table_rows* kDefaultConfig.table_columns - 1, Each::kSome},
     named("plan", "magnified", "the major radius is below one texel", kFlagNames),

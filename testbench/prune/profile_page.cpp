@@ -46,20 +46,28 @@ std::string bars(const Profile& profile, const std::string& name, const std::str
   std::int64_t least = INT64_MAX;
   std::int64_t most = INT64_MIN;
   for (const auto& [reach, label] : all) {
-    page::Series series{label, {}, style};
     const Histogram& histogram = profile[reach];
+    if (histogram.empty()) continue;
     const auto whole = static_cast<double>(facts(reach).each == Each::kLookup ? profile.lookups : profile.probes);
-    for (const auto& [value, count] : histogram) {
-      series.points.push_back({static_cast<double>(value), 100 * static_cast<double>(count) / whole});
-      least = std::min(least, value);
-      most = std::max(most, value);
+    page::Series series{label, {}, style};
+    const std::int64_t first = histogram.begin()->first;
+    const std::int64_t last = histogram.rbegin()->first;
+    // A value that is not reached breaks the line.
+    for (std::int64_t value = first; value <= last; ++value) {
+      const auto count = static_cast<double>(profile.count(reach, value));
+      series.points.push_back({static_cast<double>(value), 100 * count / whole});
     }
-    if (!series.points.empty()) plot.series.push_back(std::move(series));
+    plot.series.push_back(std::move(series));
+    least = std::min(least, first);
+    most = std::max(most, last);
   }
   if (plot.series.empty()) return {};
   plot.x.low = static_cast<double>(least) - 1;
   plot.x.high = static_cast<double>(most) + 1;
-  return page::figure(page::svg(plot), title);
+  const bool of_lookups = facts(all.front().reach).each == Each::kLookup;
+  return page::figure(page::svg(plot), fmt::format("{}: {} to {}, of {}.", title, least, most,
+                                                   of_lookups ? fmt::format("{} lookups", profile.lookups)
+                                                              : fmt::format("{} probes", profile.probes)));
 }
 
 std::string plot_section(const Profile& profile) {
@@ -71,9 +79,8 @@ std::string plot_section(const Profile& profile) {
       bars(profile, "levels", "Levels that probes read", "level", {{kFineLevel, "finer"}, {kCoarseLevel, "coarser"}},
            lines),
       bars(profile, "exponents", "Exponent of the gradients", "exponent, octaves", {{kExponent, ""}}, plain),
-      bars(profile, "position-bits", "Bits of positions, without their sign", "bits",
-           {{kPositionBitsS, "s"}, {kPositionBitsT, "t"}, {kProbeBitsS, "s of a probe"}, {kProbeBitsT, "t of a probe"}},
-           lines),
+      bars(profile, "position-bits", "Bits of probes' positions, without their sign", "bits",
+           {{kProbeBitsS, "s"}, {kProbeBitsT, "t"}}, lines),
       bars(profile, "half-step-bits", "Bits of half steps, without their sign", "bits",
            {{kHalfStepBitsS, "s"}, {kHalfStepBitsT, "t"}}, lines)};
   std::erase(plots, "");
@@ -99,7 +106,7 @@ std::string weight_map(const Profile& profile) {
   constexpr int kQuarters = 4;
   page::HeatMap map{"Weight table rows", "fProbes from the count less 3/4, and mode ext", "probes", kQuarters + 1,
                     kDefaultConfig.max_probes};
-  map.cell_width = 70;
+  map.cell_width = 88;
   map.column_names = {"-3/4", "-1/2", "-1/4", "0", "ext"};
   for (int probes = 1; probes <= kDefaultConfig.max_probes; ++probes) {
     map.row_names.push_back(fmt::format("{}", probes));
@@ -117,8 +124,8 @@ std::string mantissa_map(const Profile& profile) {
   constexpr std::array<Reach, 4> kReaches{Reach::kDudx, Reach::kDvdx, Reach::kDudy, Reach::kDvdy};
   constexpr std::int64_t kMost = Formats<kDefaultConfig>::kMantissa.max_raw();
   page::HeatMap map{"Mantissas", "mantissa", "", static_cast<int>(2 * kMost + 1), static_cast<int>(kReaches.size())};
-  map.cell_width = 4;
-  map.cell_height = 40;
+  map.cell_width = 2;
+  map.cell_height = 60;
   for (const Reach reach : kReaches) {
     map.row_names.emplace_back(facts(reach).name);
     for (std::int64_t value = -kMost; value <= kMost; ++value) map.counts.emplace_back(profile.count(reach, value));
@@ -158,7 +165,9 @@ std::string memory_map(const TextureUse& use) {
   }
   const std::string name = fmt::format("{}", fmt::join(use.names, ", "));
   const auto png = encode_png("profile.html", width, height, 3, std::span<const std::uint8_t>(pixels));
-  return page::figure(page::png(page::base64(png), name + ", level 0", true), name);
+  return page::figure(page::png(page::base64(png), name + ", level 0", true),
+                      fmt::format("{}, {} x {} texels: {} of level 0", name, use.width, use.height,
+                                  percent(use.touched.count(0, use.line_count(0)), use.line_count(0))));
 }
 
 std::string memory_section(const Profile& profile) {
@@ -195,7 +204,7 @@ std::string memory_section(const Profile& profile) {
   std::ranges::stable_sort(order, std::greater{}, [](const auto& item) { return item.first; });
   std::vector<std::string> pictures;
   for (const auto& [reads, use] : order) {
-    if (pictures.size() < kMostPictures) pictures.push_back(memory_map(*use));
+    if (reads != 0 && pictures.size() < kMostPictures) pictures.push_back(memory_map(*use));
   }
   return page::heading(2, "Textures") +
          page::paragraph(fmt::format(
@@ -203,7 +212,7 @@ std::string memory_section(const Profile& profile) {
              "never read; the rest goes from dark red over yellow to white, by the texels read around there, "
              "logarithmically.",
              order.size() > kMostPictures ? fmt::format(" of the {} textures most read", kMostPictures) : "")) +
-         page::thumbnails(pictures) + page::fold("Memory lines read of every level", page::table(table));
+         page::gallery(pictures) + page::fold("Memory lines read of every level", page::table(table));
 }
 
 }  // namespace
@@ -211,7 +220,7 @@ std::string memory_section(const Profile& profile) {
 std::string profile_page(const Profile& profile) {
   std::string html = page::paragraph(profile_headline(profile)) + reach_section(profile) + plot_section(profile);
   html += page::heading(2, "Tables and numbers");
-  html += page::gallery(std::array{cell_map(profile), weight_map(profile)}) + mantissa_map(profile);
+  html += page::gallery(std::array{cell_map(profile), weight_map(profile), mantissa_map(profile)});
   return page::document("Feline: what a scene reaches", html + memory_section(profile));
 }
 

@@ -111,11 +111,11 @@ std::string profile_headline(const Profile& profile) {
 std::string profile_to_text(const Profile& profile) {
   std::string text = profile_headline(profile) + "\n";
   for (const ReachWords& words : reach_words(profile)) {
-    text += fmt::format("{:<30}{}", fmt::format("{} {}", words.of->part, words.of->name), words.reached);
+    text += fmt::format("{:<30} {}", fmt::format("{} {}", words.of->part, words.of->name), words.reached);
     text += words.never.empty() ? "\n" : fmt::format("; never {}\n", words.never);
   }
   for (const auto& [hash, use] : profile.textures) {
-    text += fmt::format("{:<30}{} of {} memory lines of {} x {} {} texels, {} of level 0\n",
+    text += fmt::format("{:<30} {} of {} memory lines of {} x {} {} texels, {} of level 0\n",
                         fmt::format("texture {}", fmt::join(use.names, "+")), use.touched.count(), use.touched.size(),
                         use.width, use.height, kTexelFormatNames[static_cast<std::size_t>(use.format)],
                         percent(use.touched.count(0, use.line_count(0)), use.line_count(0)));
