@@ -23,7 +23,7 @@ inline constexpr int kTileLog2 = 2;
 // Every number of the machine that follows from a configuration. Each width is stated or derived here and nowhere else.
 struct FormatSet {
   int magnitude_bits, size_bits, probe_bits, texel_fraction, filter_fraction;
-  int levels, gaussian_rows, weight_columns;
+  int levels, gaussian_rows, weight_rows, weight_columns;
   // Probes reach at most 2^reach_log2 from the centre, in normalized units: a line of more than one probe has a minor
   // radius of at most 2^max_size_log2 texels and a major radius of at most (max_probes + 1)/2 * aliasFactor of it, and
   // aliasFactor <= 2; the texture may be one texel wide. Where no coordinate is clamped, positions count modulo 4 only.
@@ -53,6 +53,7 @@ struct FormatSet {
         filter_fraction(2 * config.subtexel_bits + config.level_fraction_bits),
         levels(config.max_levels > size_bits ? size_bits + 1 : config.max_levels),
         gaussian_rows(4 * config.max_probes - 3),
+        weight_rows(gaussian_rows + config.max_probes),
         weight_columns(config.max_probes / 2 + 1),
         reach_log2(config.features.clamp_to_edge || config.features.clamp_to_border ? size_bits + probe_bits : 0),
         saturation_log2(reach_log2 + 1),
@@ -81,7 +82,7 @@ struct FormatSet {
         full_level{"full_level", false, bits_for(size_bits + 1), 0, "level"},
         probe_count{"probe_count", false, bits_for(config.max_probes + 1), 0, "probe"},
         probe_index{"probe_index", false, probe_bits, 0, "probe"},
-        weight_row{"weight_row", false, bits_for(gaussian_rows + config.max_probes), 0, "row"},
+        weight_row{"weight_row", false, bits_for(weight_rows), 0, "row"},
         weight{"weight", false, 1, config.weight_bits, "pixel"},
         table_scale{"table_scale", false, 1, config.entry_bits - 1, "longer vector"},
         table_fraction{"table_fraction", false, 0, config.entry_bits, "longer vector"},
@@ -158,6 +159,7 @@ struct Formats : LegalConfig<kConfig> {
   static constexpr int kSizeBits = kSet.size_bits;
   static constexpr int kLevels = kSet.levels;
   static constexpr int kGaussianRows = kSet.gaussian_rows;
+  static constexpr int kWeightRows = kSet.weight_rows;
   static constexpr int kWeightColumns = kSet.weight_columns;
   static constexpr int kReachLog2 = kSet.reach_log2;
   static constexpr int kSaturationLog2 = kSet.saturation_log2;

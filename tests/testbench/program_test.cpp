@@ -35,7 +35,7 @@ std::string path(const TempDir& dir, const char* name) { return (dir / name).str
 
 TEST(program, help_shows_an_example) {
   for (const char* const command :
-       {"tables", "scene", "render", "explain", "vectors", "cosim", "report", "figure", "stability"}) {
+       {"tables", "scene", "render", "explain", "vectors", "cosim", "report", "figure", "stability", "profile"}) {
     const Outcome outcome = run(std::string(command) + " --help");
     EXPECT_EQ(outcome.code, 0);
     EXPECT_NE(outcome.text.find("Example: feline " + std::string(command)), std::string::npos) << outcome.text;

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "testbench/prune/observe.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdlib>
+#include <mutex>
+#include <vector>
+
+#include "model/unit.h"
+#include "testbench/parallel.h"
+
+namespace feline {
+namespace {
+
+constexpr Config kFull = kDefaultConfig;
+using F = Formats<kFull>;
+
+int magnitude_bits(std::int64_t raw) { return bit_length(std::abs(raw)); }
+
+// Takes every beat of a part of the lookups. Counts stand in plain arrays, which maps would be too slow for.
+class Recorder {
+ public:
+  Recorder(const SamplerState<kFull>& sampler, const TextureUse& unread)
+      : sampler_(sampler),
+        mode_(supported_mode<kFull>(sampler)),
+        use_(unread),
+        shift_(unread.block_shift() + kTileLog2),
+        block_columns_(unread.block_columns()) {
+    for (std::size_t i = static_cast<std::size_t>(kFirstOfBeats); i < kReachCount; ++i) {
+      counts_[i].resize(static_cast<std::size_t>(kReachFacts[i].most - kReachFacts[i].least + 1));
+    }
+  }
+
+  void operator()(const RequestBeat<kFull>& beat) {
+    const auto given = [](const auto& derivative) { return float_parts(derivative.raw()).exponent != 0 ? 1 : 0; };
+    count(Reach::kDerivatives,
+          given(beat.dsdx) | given(beat.dtdx) << 1 | given(beat.dsdy) << 2 | given(beat.dtdy) << 3);
+  }
+
+  void operator()(const GroupBeat<kFull>& beat) {
+    ++lookups_;
+    count(Reach::kPositionBitsS, magnitude_bits(beat.s.raw()));
+    count(Reach::kPositionBitsT, magnitude_bits(beat.t.raw()));
+    const bool is_zero = (beat.dudx.raw() | beat.dvdx.raw() | beat.dudy.raw() | beat.dvdy.raw()) == 0;
+    if (!is_zero) count(Reach::kExponent, beat.exponent.raw());
+    count(Reach::kDudx, beat.dudx.raw());
+    count(Reach::kDvdx, beat.dvdx.raw());
+    count(Reach::kDudy, beat.dudy.raw());
+    count(Reach::kDvdy, beat.dvdy.raw());
+    if (mode_ == Mode::kTable) {
+      const TableCell cell = table_cell<kFull>(gradients_of<kFull>(beat));
+      count(Reach::kCell, cell.row * kFull.table_columns + cell.column);
+    }
+  }
+
+  void operator()(const FootprintBeat<kFull>& beat) {
+    const ClampedRadii radii = clamp_radii<kFull>(beat, mode_, sampler_.length_factor.raw());
+    count(Reach::kMagnified, radii.magnified ? 1 : 0);
+    count(Reach::kWantedProbes, choose_probes<kFull>(radii, mode_, sampler_).probes);
+  }
+
+  void operator()(const PlanBeat<kFull>& beat) {
+    const std::int64_t level = beat.level_of_detail.raw() >> kFull.level_fraction_bits;
+    count(Reach::kProbes, beat.probes.raw());
+    count(Reach::kWeightRow, beat.weight_row.raw());
+    count(Reach::kHalfStepBitsS, magnitude_bits(beat.half_step_s.raw()));
+    count(Reach::kHalfStepBitsT, magnitude_bits(beat.half_step_t.raw()));
+    count(Reach::kLevel, level);
+    count(Reach::kBlended, beat.level_of_detail.raw() == level << kFull.level_fraction_bits ? 0 : 1);
+    count(Reach::kLinear, beat.linear.raw());
+  }
+
+  void operator()(const WalkBeat<kFull>& beat) {
+    ++probes_;
+    count(Reach::kProbeBitsS, magnitude_bits(beat.s.raw()));
+    count(Reach::kProbeBitsT, magnitude_bits(beat.t.raw()));
+  }
+
+  void operator()(const AddressBeat<kFull>& beat) {
+    int outside = read_level(beat.level.raw(), beat.fine_x, beat.fine_y, beat.fine_border.raw(), beat.fine_line);
+    count(Reach::kFineLevel, beat.level.raw());
+    if (beat.coarse_used.raw() != 0) {
+      const std::int64_t coarse = beat.level.raw() + 1;
+      outside += read_level(coarse, beat.coarse_x, beat.coarse_y, beat.coarse_border.raw(), beat.coarse_line);
+      count(Reach::kCoarseLevel, coarse);
+    }
+    count(Reach::kBorderTexels, outside);
+  }
+
+  void operator()(const FetchBeat<kFull>& beat) {
+    constexpr std::int64_t kOpaque = std::int64_t{255} << kFull.channel_fraction_bits;
+    const auto all_opaque = [](const auto&... texels) { return ((texels[3].raw() == kOpaque) && ...); };
+    // Texels of a coarse level that is not used are 0, and nobody's.
+    const bool opaque =
+        all_opaque(beat.fine_00, beat.fine_10, beat.fine_01, beat.fine_11) &&
+        (beat.level_fraction.raw() == 0 || all_opaque(beat.coarse_00, beat.coarse_10, beat.coarse_01, beat.coarse_11));
+    count(Reach::kTranslucent, opaque ? 0 : 1);
+  }
+
+  void operator()(const AccumulateBeat<kFull>& beat) { count(Reach::kStatus, beat.status.raw()); }
+
+  // What the unit is given, and colours.
+  template <typename Beat>
+  void operator()(const Beat&) {}
+
+  void add_to(Profile& profile, const std::string& hash) {
+    Profile part;
+    part.lookups = lookups_;
+    part.probes = probes_;
+    for (std::size_t i = 0; i < kReachCount; ++i) {
+      for (std::size_t at = 0; at < counts_[i].size(); ++at) {
+        if (counts_[i][at] == 0) continue;
+        part.reached[i][kReachFacts[i].least + static_cast<std::int64_t>(at)] = counts_[i][at];
+      }
+    }
+    part.textures[hash] = std::move(use_);
+    merge(profile, part);
+  }
+
+ private:
+  void count(Reach reach, std::int64_t value) {
+    const auto i = static_cast<std::size_t>(reach);
+    ++counts_[i][static_cast<std::size_t>(value - kReachFacts[i].least)];
+  }
+
+  // The texels that memory is read for; returns how many are not, because they lie outside.
+  template <typename Indices, typename Lines>
+  int read_level(std::int64_t level, const Indices& xs, const Indices& ys, std::int64_t border, const Lines& lines) {
+    int outside = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      if ((border >> (i % 2) & 1) != 0 || (border >> (2 + i / 2) & 1) != 0) {
+        ++outside;
+        continue;
+      }
+      use_.touched.insert(static_cast<std::size_t>(lines[i].raw()));
+      if (level != 0) continue;
+      const std::int64_t row = ys[i / 2].raw() >> shift_;
+      ++use_.blocks[static_cast<std::size_t>(row * block_columns_ + (xs[i % 2].raw() >> shift_))];
+    }
+    return outside;
+  }
+
+  const SamplerState<kFull>& sampler_;
+  Mode mode_;
+  std::uint64_t lookups_ = 0;
+  std::uint64_t probes_ = 0;
+  std::array<std::vector<std::uint64_t>, kReachCount> counts_;
+  TextureUse use_;
+  int shift_;  // from a texel of level 0 to its block
+  int block_columns_;
+};
+
+// The sampler state's own, each met by every lookup.
+void count_sampler(Profile& profile, const SamplerState<kFull>& sampler, std::uint64_t lookups) {
+  const auto count = [&](Reach reach, std::int64_t value) {
+    std::uint64_t& sum = profile[reach][value];
+    sum = saturating_sum(sum, lookups);
+  };
+  count(Reach::kMode, sampler.mode.raw());
+  count(Reach::kKernel, sampler.kernel.raw());
+  count(Reach::kMagnify, sampler.magnify.raw());
+  count(Reach::kWrap, sampler.wrap_s.raw());
+  if (sampler.wrap_t != sampler.wrap_s) count(Reach::kWrap, sampler.wrap_t.raw());
+  count(Reach::kTexelFormat, sampler.texel_format.raw());
+  count(Reach::kSrgb, sampler.srgb.raw());
+  count(Reach::kProbeRounding, sampler.probe_rounding.raw());
+  count(Reach::kLengthFactor, sampler.length_factor.raw());
+  count(Reach::kBlurFactor, sampler.blur_factor.raw());
+  count(Reach::kInverseAliasFactor, sampler.inverse_alias_factor.raw());
+  count(Reach::kMaxProbes, sampler.max_probes.raw());
+  count(Reach::kLevelBias, sampler.level_bias.raw());
+  count(Reach::kMinLevel, sampler.min_level.raw());
+  count(Reach::kMaxLevel, sampler.max_level.raw());
+  count(Reach::kWidth, sampler.width.raw());
+  count(Reach::kHeight, sampler.height.raw());
+  const auto is_power = [](std::int64_t side) { return std::has_single_bit(static_cast<std::uint64_t>(side)); };
+  count(Reach::kPowerOfTwo, is_power(sampler.width.raw()) && is_power(sampler.height.raw()) ? 1 : 0);
+  count(Reach::kLastLevel, sampler.last_level.raw());
+}
+
+}  // namespace
+
+ProfiledTexture profiled_texture(const std::string& name, const Texture& texture) {
+  const MipLevel& base = texture.levels.front();
+  TextureUse unread{{name}, texture.format, base.width, base.height, static_cast<int>(texture.levels.size()), {}, {}};
+  unread.touched = LineSet(unread.first_line(unread.levels));
+  unread.blocks.resize(unread.block_count());
+  return {texture_hash(texture), std::move(unread)};
+}
+
+void observe(Profile& profile, const std::string& source, std::span<const Lookup> lookups,
+             const SamplerState<kDefaultConfig>& sampler, const TextureMemory& memory, const ProfiledTexture& texture,
+             Progress* progress) {
+  std::uint64_t& frames = profile.sources[source];
+  frames = saturating_sum(frames, 1);
+  if (lookups.empty()) return;
+  count_sampler(profile, sampler, lookups.size());
+  constexpr std::size_t kPart = 16384;
+  std::mutex mutex;
+  for_each_index(0, static_cast<std::int64_t>((lookups.size() + kPart - 1) / kPart), [&](std::int64_t index) {
+    const std::size_t first = static_cast<std::size_t>(index) * kPart;
+    const auto part = lookups.subspan(first, std::min(kPart, lookups.size() - first));
+    Recorder recorder(sampler, texture.unread);
+    for (const Lookup& lookup : part) {
+      sample<kFull>(make_request<kFull>(lookup, 0), sampler, memory, recorder);
+    }
+    if (progress != nullptr) progress->advance(part.size());
+    const std::scoped_lock lock(mutex);
+    recorder.add_to(profile, texture.hash);
+  });
+}
+
+}  // namespace feline

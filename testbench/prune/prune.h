@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tables/config.h"
+#include "testbench/prune/profile.h"
+
+namespace feline {
+
+// The smallest configuration whose unit gives the full unit's pixels, colour and status, for every lookup of a profile
+// taken from the default one. Whatever else comes is flagged as unsupported, or comes out as of the full unit.
+Config pruned_config(const Profile& profile);
+
+// Whether everything that a configuration needs is in another one: then whatever the first one's unit can do, the
+// second one's can.
+bool is_within(const Config& needed, const Config& available);
+
+// What the default configuration has and this one has not, a line each: "modes: nearest, bilinear".
+std::vector<std::string> left_out(const Config& config);
+
+// The header of a build for this unit (tables/unit.h): defines kUnit.
+std::string unit_header(const Config& config);
+
+}  // namespace feline
