@@ -306,10 +306,10 @@ Profile profile_from_json(std::string_view text, std::string_view where) {
 Profile read_profile(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   // A directory opens, but does not read.
-  const std::string text(std::istreambuf_iterator<char>(file), {});
   if (!file || std::filesystem::is_directory(path)) {
     bad_input(path.string(), "open", "no file that can be read", "a file that feline profile wrote");
   }
+  const std::string text(std::istreambuf_iterator<char>(file), {});
   return profile_from_json(text, path.string());
 }
 
