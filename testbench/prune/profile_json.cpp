@@ -295,9 +295,8 @@ Profile profile_from_json(std::string_view text, std::string_view where) {
     check_total(node, of, total(profile.reached[i]), profile);
   }
   root["textures"].each([&](const std::string& hash, const Node& node) {
-    const bool is_hash =
-        hash.size() == kHashLength && hash.find_first_not_of("0123456789abcdefABCDEF") == std::string::npos;
-    if (!is_hash) node.refuse(hash, fmt::format("{} hexadecimal digits", kHashLength));
+    const bool is_hash = hash.size() == kHashLength && hash.find_first_not_of(kDigits) == std::string::npos;
+    if (!is_hash) node.refuse(hash, fmt::format("{} hexadecimal digits, in capitals", kHashLength));
     profile.textures[hash] = read_texture(node);
   });
   return profile;
