@@ -151,7 +151,7 @@ std::uint64_t total(const Histogram& histogram);
 // Commutative and associative. Throws InputError when the same texture has two shapes, which no profile of lookups has.
 void merge(Profile& into, const Profile& from);
 
-// Tells textures apart: format, size and texels of all levels, 40 hexadecimal digits.
+// Tells textures apart: format, size and texels of all levels, 40 hexadecimal digits in capitals.
 std::string texture_hash(const Texture& texture);
 
 }  // namespace feline

@@ -295,9 +295,8 @@ Profile profile_from_json(std::string_view text, std::string_view where) {
     check_total(node, of, total(profile.reached[i]), profile);
   }
   root["textures"].each([&](const std::string& hash, const Node& node) {
-    const bool is_hash =
-        hash.size() == kHashLength && hash.find_first_not_of("0123456789abcdefABCDEF") == std::string::npos;
-    if (!is_hash) node.refuse(hash, fmt::format("{} hexadecimal digits", kHashLength));
+    const bool is_hash = hash.size() == kHashLength && hash.find_first_not_of(kDigits) == std::string::npos;
+    if (!is_hash) node.refuse(hash, fmt::format("{} hexadecimal digits, in capitals", kHashLength));
     profile.textures[hash] = read_texture(node);
   });
   return profile;
@@ -306,10 +305,10 @@ Profile profile_from_json(std::string_view text, std::string_view where) {
 Profile read_profile(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   // A directory opens, but does not read.
-  const std::string text(std::istreambuf_iterator<char>(file), {});
   if (!file || std::filesystem::is_directory(path)) {
     bad_input(path.string(), "open", "no file that can be read", "a file that feline profile wrote");
   }
+  const std::string text(std::istreambuf_iterator<char>(file), {});
   return profile_from_json(text, path.string());
 }
 

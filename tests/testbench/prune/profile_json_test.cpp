@@ -64,7 +64,8 @@ template <typename Use>
 void each_place(Json& json, const std::string& path, const Use& use) {
   use(json, path);
   if (json.is_object()) {
-    for (auto& [key, value] : json.items()) each_place(value, path.empty() ? key : path + "." + key, use);
+    const std::string before = path.empty() ? "" : path + ".";
+    for (auto& [key, value] : json.items()) each_place(value, before + key, use);
   } else if (json.is_array()) {
     for (std::size_t i = 0; i < json.size(); ++i) each_place(json[i], path + "[" + std::to_string(i) + "]", use);
   }
@@ -110,12 +111,6 @@ TEST(profile_json, other_fields) {
   });
 }
 
-struct Fault {
-  const char* path;
-  Json value;
-  const char* says;
-};
-
 TEST(profile_json, values_out_of_range) {
   const Json whole = Json::parse(profile_to_json(small_profile()));
   const std::string texture = "/textures/" + whole["textures"].items().begin().key();
@@ -154,6 +149,9 @@ TEST(profile_json, values_out_of_range) {
   Json json = whole;
   json["textures"]["abc"] = json["textures"].items().begin().value();
   EXPECT_NE(refusal(json.dump()).find("abc, legal is 40 hexadecimal digits"), std::string::npos);
+  json["textures"].erase("abc");
+  json["textures"][std::string(40, 'a')] = json["textures"].items().begin().value();
+  EXPECT_NE(refusal(json.dump()).find("hexadecimal digits, in capitals"), std::string::npos);
 }
 
 TEST(profile_json, nothing_twice) {

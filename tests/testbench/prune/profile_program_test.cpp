@@ -127,7 +127,8 @@ TEST(profile_program, refuses_and_says_what_is_legal) {
   expect_refused(dir, "--merge " + path(dir, "none.json") + output, {"none.json", "open"});
   expect_refused(dir, "--merge " + path(dir, "no.json") + output, {"no.json", "configuration", "got nothing"});
   expect_refused(dir, "--merge " + gbuffer + output, {"repeat.exr", "JSON"});
-  expect_refused(dir, "--gbuffer " + path(dir, "a.png") + " --texture " + path(dir, "repeat.png"), {"a.png", "open"});
+  expect_refused(dir, "--gbuffer " + path(dir, "a.png") + " --texture " + path(dir, "a.png"), {"a.png", "open"});
+  expect_refused(dir, "--gbuffer " + gbuffer + " --texture " + path(dir, "a.png"), {"a.png", "open"});
   expect_refused(dir, "--size 8 --output /proc/none/out", {"--output", "/proc/none/out", "directory"});
   expect_refused(dir, "--size 8 --output " + path(dir, "no.json"), {"--output", "no.json", "directory"});
   expect_refused(dir, "--size 8" + output, {"gnuplot-nox"}, "PATH=/none");

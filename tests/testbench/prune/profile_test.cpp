@@ -157,7 +157,14 @@ TEST(profile, borders_and_alpha) {
   EXPECT_EQ(profile[Reach::kBorderTexels], (Histogram{{0, 1}, {2, 1}, {4, 1}}));
   EXPECT_EQ(profile[Reach::kTranslucent], (Histogram{{0, 1}, {1, 2}}));  // the border's alpha is 0
   EXPECT_EQ(profile[Reach::kWrap], (Histogram{{0, 3}, {3, 3}}));
-  EXPECT_EQ(opaque.use_in(profile).touched.count(), 2U);  // that of texel 0, that of texels 19 and 20: 4 and 5 less one
+  EXPECT_EQ(opaque.use_in(profile).touched.count(), 3U);  // of the texels 0, 19 and 20
+  // Between two levels, outside of both.
+  SamplerOptions blended = options;
+  blended.mode = Mode::kTrilinear;
+  const Profile two = opaque.profile({TexelLookup{-20, 10.5, 1.5, 0, 0, 1.5}.in(kSide, kSide)}, blended);
+  EXPECT_EQ(two[Reach::kBlended], once(1));
+  EXPECT_EQ(two[Reach::kBorderTexels], once(8));
+  EXPECT_EQ(opaque.use_in(two).touched.count(), 0U);
   options.border[3] = 1;
   EXPECT_EQ(opaque.profile(lookups, options)[Reach::kTranslucent], once(0, 3));
   const TestTexture translucent(flat_texture(kSide, kSide, 254));
