@@ -19,7 +19,9 @@ module feline_clamp_radii (
   output logic [feline_pkg::RadiusWidth-1:0]               minor_o
 );
   localparam int unsigned RadiusWidth  = feline_pkg::RadiusWidth;
-  localparam int unsigned OneLog2Width = feline_pkg::ExponentWidth + 1;
+  localparam int unsigned OneWidth     = $clog2(feline_pkg::RadiusFraction + 1) + 1;
+  localparam int unsigned OneLog2Width =
+      (feline_pkg::ExponentWidth > OneWidth ? feline_pkg::ExponentWidth : OneWidth) + 1;
   localparam bit          AnyFeline    = feline_pkg::FeatureSimpleFeline || feline_pkg::FeatureTableFeline;
 
   // One texel in units of the radius' last bit, 2^one_log2; 0 when it is less than that or more than any radius.

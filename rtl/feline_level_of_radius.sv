@@ -17,8 +17,9 @@ module feline_level_of_radius (
   localparam int unsigned LevelWidth    = feline_pkg::LevelOfDetailWidth;
   localparam int unsigned FractionBits  = feline_pkg::LevelOfDetailFraction;
   localparam int unsigned LengthWidth   = $clog2(RadiusWidth + 1);
-  localparam int unsigned WholeWidth    = feline_pkg::ExponentWidth + 1;
   localparam int unsigned IntegerWidth  = LevelWidth - FractionBits;
+  localparam int unsigned WholeWidth    =
+      (feline_pkg::ExponentWidth > IntegerWidth ? feline_pkg::ExponentWidth : IntegerWidth) + 1;
   // Room for the leading one, the fraction and at least one bit to round by.
   localparam int unsigned DroppedBits   = RadiusWidth > FractionBits + 2 ? RadiusWidth - FractionBits - 1 : 1;
   localparam int unsigned AlignedWidth  = FractionBits + 1 + DroppedBits;

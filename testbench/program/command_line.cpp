@@ -90,20 +90,27 @@ std::string quoted(const std::string& argument) {
   return safe + "'";
 }
 
-std::string repeat_command(std::span<const std::string> arguments, const LeftOut& left_out) {
+std::vector<std::string> arguments_without(std::span<const std::string> arguments, const LeftOut& left_out) {
   const auto among = [](std::span<const std::string_view> names, std::string_view name) {
     return std::ranges::find(names, name) != names.end();
   };
-  std::string command = quoted(arguments.front());
-  for (std::size_t i = 1; i < arguments.size(); ++i) {
+  std::vector<std::string> kept;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string_view argument = arguments[i];
     if (among(left_out.flags, argument)) continue;
     if (among(left_out.options, argument)) {
       ++i;
     } else if (!among(left_out.options, argument.substr(0, argument.find('=')))) {
-      command += " " + quoted(arguments[i]);
+      kept.push_back(arguments[i]);
     }
   }
+  return kept;
+}
+
+std::string repeat_command(std::span<const std::string> arguments, const LeftOut& left_out) {
+  std::string command = quoted(arguments.front());
+  for (const std::string& argument : arguments_without(arguments.subspan(1), left_out))
+    command += " " + quoted(argument);
   return command;
 }
 

@@ -36,6 +36,7 @@ struct LeftOut {
   std::span<const std::string_view> options;
   std::span<const std::string_view> flags;
 };
+std::vector<std::string> arguments_without(std::span<const std::string> arguments, const LeftOut& left_out);
 std::string repeat_command(std::span<const std::string> arguments, const LeftOut& left_out);
 
 }  // namespace feline

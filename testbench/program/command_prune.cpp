@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "tables/emit.h"
+#include "testbench/atomic_file.h"
+#include "testbench/error.h"
+#include "testbench/page/process.h"
+#include "testbench/program/command_line.h"
+#include "testbench/program/commands.h"
+#include "testbench/program/frames_profile.h"
+#include "testbench/prune/check.h"
+#include "testbench/prune/profile_json.h"
+#include "testbench/prune/prune.h"
+
+namespace feline {
+namespace {
+
+struct PruneOptions {
+  FrameOptions frames;
+  std::vector<std::string> profiles;
+  std::string output = "feline-unit";
+  std::string source = FELINE_SOURCE_DIR;
+  bool no_check = false;
+  bool json = false;
+  std::vector<std::string> frame_arguments;  // of the command line, for the check
+};
+
+// The unit and what it was made from, in a directory that testbench/prune/build.sh takes.
+void write_unit(const std::filesystem::path& directory, const Config& config, const Profile& profile) {
+  OutputFiles outputs;
+  outputs.write(directory / "unit.h", unit_header(config));
+  outputs.write(directory / "profile.json", profile_to_json(profile));
+  for (const GeneratedFile& file : generate(config, measured_roms(config))) {
+    outputs.write(directory / "generated" / file.name, file.text);
+  }
+  outputs.commit();
+}
+
+PrunedCheck run_check(const PruneOptions& options) {
+  const std::filesystem::path directory = options.output;
+  const std::filesystem::path script = std::filesystem::path(options.source) / "testbench" / "prune" / "build.sh";
+  if (!std::filesystem::exists(script)) {
+    bad_input(options.source, "--source", "no testbench/prune/build.sh in it", "this project's sources, or --no-check");
+  }
+  const page::Finished built = page::run_process({script.string(), directory.string()}, "");
+  if (built.code != 0) throw std::runtime_error("the check's build failed:\n" + built.output + built.errors);
+  std::vector<std::string> command{std::filesystem::absolute(directory / "build" / "feline_pruned").string()};
+  command.insert(command.end(), options.frame_arguments.begin(), options.frame_arguments.end());
+  const page::Finished checked = page::run_process(command, "");
+  if (checked.code != 0 && checked.code != 1) throw std::runtime_error("the check failed:\n" + checked.errors);
+  return check_from_json(nlohmann::ordered_json::parse(checked.output));
+}
+
+nlohmann::ordered_json to_json(const Config& config) {
+  nlohmann::ordered_json json;
+  for (const ConfigField& each : kConfigFields) json[std::string(each.name)] = config.*each.field;
+  for (const FeatureField& each : kFeatureFields)
+    json["features"][std::string(each.name)] = config.features.*each.field;
+  return json;
+}
+
+int run_prune(const PruneOptions& options) {
+  options.frames.check();
+  Profile profile;
+  for (const std::string& file : options.profiles) merge(profile, read_profile(file));
+  const std::filesystem::path directory = options.output;
+  std::error_code error;
+  std::filesystem::create_directories(directory / "generated", error);
+  if (error) bad_input(options.output, "--output", error.message(), "a directory, or where one can be made");
+  for (const char* const name : {"unit.h", "prune.json"}) check_writable(directory / name);
+  if (options.profiles.empty()) profile = profile_of(options.frames);
+  const Config config = pruned_config(profile);
+  write_unit(directory, config, profile);
+  nlohmann::ordered_json json{
+      {"profiled_lookups", profile.lookups}, {"left_out", left_out(config)}, {"configuration", to_json(config)}};
+  bool holds = true;
+  std::string text;
+  for (const std::string& line : left_out(config)) text += fmt::format("left out  {}\n", line);
+  if (!options.no_check && options.frames.given()) {
+    const PrunedCheck check = run_check(options);
+    const bool profiled_here = options.profiles.empty();
+    holds = check.holds() && (!profiled_here || check.outside == 0);
+    json["check"] = to_json(check);
+    text += fmt::format(
+        "check     {} lookups, {} identical to the full unit's, {} outside, {} flagged, {} refused by the driver, {} wrong "
+        "without a flag, {} RTL mismatches\n{}",
+        check.lookups, check.identical, check.outside, check.flagged, check.refused, check.silent, check.mismatches,
+        check.message);
+  }
+  write_file_atomically(directory / "prune.json", json.dump(1) + "\n");
+  if (options.json) {
+    fmt::print("{}\n", json.dump(1));
+  } else {
+    fmt::print("{}{}\n", text, (directory / "prune.json").string());
+  }
+  return holds ? kHolds : kBroken;
+}
+
+}  // namespace
+
+void add_prune(CLI::App& program, int& exit_code, const std::vector<std::string>& arguments) {
+  auto options = std::make_shared<PruneOptions>();
+  constexpr std::array<std::string_view, 3> kOptions{"--output", "--source", "--profile"};
+  constexpr std::array<std::string_view, 2> kFlags{"--no-check", "--json"};
+  constexpr std::size_t kProgramAndCommand = 2;
+  if (arguments.size() > kProgramAndCommand) {
+    options->frame_arguments = arguments_without(std::span(arguments).subspan(kProgramAndCommand), {kOptions, kFlags});
+  }
+  CLI::App* command = program.add_subcommand("prune", "the unit without what scenes do not need, checked on them");
+  command->footer(
+      "Writes unit.h, generated/ (package and ROMs), profile.json and prune.json, builds RTL and model of the unit, and\n"
+      "compares its pixels with the full unit's. With --profile the frames given are held out: what leaves the profile\n"
+      "must be flagged, and nothing may be wrong without a flag.\n"
+      "Example: feline prune --scene runway --mode simple --output runway-unit");
+  options->frames.add_to(*command);
+  command
+      ->add_option("--profile", options->profiles,
+                   "profile.json to prune by, instead of the frames; may be given again")
+      ->allow_extra_args(false);
+  command->add_option("--output", options->output, "directory of the unit")->capture_default_str();
+  command->add_option("--source", options->source, "this project's sources, to build the check from")
+      ->capture_default_str();
+  command->add_flag("--no-check", options->no_check, "write the unit, and do not build or run it");
+  command->add_flag("--json", options->json, "print prune.json");
+  command->callback([options, &exit_code] {
+    if (!options->frames.given() && options->profiles.empty()) options->frames.choose_default_scene();
+    exit_code = run_prune(*options);
+  });
+}
+
+}  // namespace feline
