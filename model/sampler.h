@@ -8,7 +8,6 @@
 
 #include "model/memory.h"
 #include "tables/sampler_state.h"
-#include "tables/unit.h"
 
 namespace feline {
 

@@ -90,9 +90,9 @@ struct Config {
   int tag_bits = 16;              // 1 .. 32: the requester's name of a lookup, carried through
   // Cells row * table_columns + column of the ellipse table, and rows of the weight table, that are there. A lookup
   // that needs another one is unsupported: a footprint of no size, a weight of 0.
-  WordMask<std::size_t{kMostTableSide} * kMostTableSide> table_cells;
-  WordMask<std::size_t{5} * kMostProbes> weight_rows;
-  Features features;
+  WordMask<std::size_t{kMostTableSide} * kMostTableSide> table_cells{};
+  WordMask<std::size_t{5} * kMostProbes> weight_rows{};
+  Features features{};
 
   constexpr bool operator==(const Config&) const = default;
 };

@@ -217,9 +217,9 @@ void SamplerChoice::check_filter() const {
   refuse_given(of_unit_, "together with --filter");
 }
 
-RandomBatches::Choices SamplerChoice::random_choices() const {
+SamplerChoices SamplerChoice::random_choices() const {
   refuse_given(others_, "together with --random");
-  RandomBatches::Choices choices;
+  SamplerChoices choices;
   if (mode_->count() != 0) choices.modes = parse_list<Mode>("--mode", modes, lists_, kModeNames);
   if (kernel_->count() != 0) choices.kernels = parse_list<Kernel>("--kernel", kernels, lists_, kKernelNames);
   if (wrap_->count() != 0) choices.wraps = parse_list<Wrap>("--wrap", wraps, lists_, kWrapNames);

@@ -8,7 +8,7 @@
 
 #include "model/memory.h"
 #include "model/sampler.h"
-#include "testbench/cosim/random_batches.h"
+#include "testbench/cosim/sampler_choices.h"
 #include "testbench/gbuffer.h"
 #include "testbench/image.h"
 
@@ -84,7 +84,7 @@ struct SamplerChoice {
   void check_filter() const;
   // For random samplers: of modes, kernels and wraps what was asked for, and of what was not, everything. Throws
   // InputError when anything else was chosen.
-  RandomBatches::Choices random_choices() const;
+  SamplerChoices random_choices() const;
   std::string modes_of_random() const { return mode_->count() != 0 ? modes : "random"; }
   std::string kernels_of_random() const { return kernel_->count() != 0 ? kernels : "random"; }
   std::string wraps_of_random() const { return wrap_->count() != 0 ? wraps : "random"; }
