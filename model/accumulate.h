@@ -21,9 +21,15 @@ namespace feline {
 template <Config kConfig>
 using Accumulator = std::array<Fixed<Formats<kConfig>::kAccumulated>, 4>;
 
+// The exact weighted sum of a channel, U8.36, to the result's.
+template <Config kConfig>
+Fixed<Formats<kConfig>::kPixel> round_sum(std::int64_t sum) {
+  using F = Formats<kConfig>;
+  return Fixed<F::kPixel>::from_raw(round_up_ties(sum, F::kAccumulated.fraction_bits - F::kPixel.fraction_bits));
+}
+
 template <Config kConfig>
 std::optional<AccumulateBeat<kConfig>> accumulate(const FilterBeat<kConfig>& filter, Accumulator<kConfig>& sum) {
-  using F = Formats<kConfig>;
   for (std::size_t c = 0; c < 4; ++c) {
     const std::int64_t carried = filter.first.raw() != 0 ? 0 : sum[c].raw();
     sum[c] = sum[c].from_raw(carried + filter.colour[c].raw() * filter.weight.raw());
@@ -32,10 +38,7 @@ std::optional<AccumulateBeat<kConfig>> accumulate(const FilterBeat<kConfig>& fil
   AccumulateBeat<kConfig> beat;
   beat.tag = filter.tag;
   beat.status = filter.status;
-  for (std::size_t c = 0; c < 4; ++c) {
-    beat.colour[c] =
-        beat.colour[c].from_raw(round_up_ties(sum[c].raw(), F::kAccumulated.fraction_bits - F::kPixel.fraction_bits));
-  }
+  for (std::size_t c = 0; c < 4; ++c) beat.colour[c] = round_sum<kConfig>(sum[c].raw());
   return beat;
 }
 

@@ -17,14 +17,24 @@
 
 namespace feline {
 
+// The channels that a texel has in memory; the others are the same for every texel.
+template <Config kConfig>
+int texel_channels(const SamplerState<kConfig>& sampler) {
+  return bytes_per_texel(static_cast<TexelFormat>(sampler.texel_format.raw()));
+}
+
+// Where a texel lies in its line, in texels.
+constexpr std::size_t texel_slot(std::int64_t x, std::int64_t y) {
+  return static_cast<std::size_t>(y % kTileSide * kTileSide + x % kTileSide);
+}
+
 template <Config kConfig>
 typename FetchBeat<kConfig>::Texel decode_texel(std::span<const std::uint8_t> line, std::int64_t x, std::int64_t y,
                                                 const SamplerState<kConfig>& sampler) {
   using Channel = Fixed<Formats<kConfig>::kChannel>;
   constexpr int kFraction = kConfig.channel_fraction_bits;
-  const auto format = static_cast<TexelFormat>(sampler.texel_format.raw());
-  const int channels = bytes_per_texel(format);
-  const auto slot = static_cast<std::size_t>(y % kTileSide * kTileSide + x % kTileSide);
+  const int channels = texel_channels(sampler);
+  const std::size_t slot = texel_slot(x, y);
   const bool decodes = sampler.srgb.raw() != 0 && kConfig.features.srgb;
   typename FetchBeat<kConfig>::Texel texel{};
   texel[3] = Channel::from_raw(std::int64_t{255} << kFraction);

@@ -34,19 +34,23 @@ SizeReciprocal size_reciprocal(int size, int bits) {
   return {(scaled / size + 1) / 2, shift};
 }
 
+void check_size(int width, int height, int max_size) {
+  if (width < 1 || height < 1 || width > max_size || height > max_size) {
+    throw SamplerError("size", std::to_string(width) + " x " + std::to_string(height),
+                       "1 x 1 to " + std::to_string(max_size) + " x " + std::to_string(max_size));
+  }
+}
+
 void check_chain(const Texture& texture, int max_size) {
   if (texture.levels.empty()) throw SamplerError("levels", "0", "at least 1");
   const MipLevel& base = texture.levels.front();
+  check_size(base.width, base.height, max_size);
   for (std::size_t k = 0; k < texture.levels.size(); ++k) {
     const MipLevel& level = texture.levels[k];
     const int width = std::max(base.width >> k, 1);
     const int height = std::max(base.height >> k, 1);
     const auto bytes = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
                        static_cast<std::size_t>(bytes_per_texel(texture.format));
-    if (base.width < 1 || base.height < 1 || base.width > max_size || base.height > max_size) {
-      throw SamplerError("size", std::to_string(base.width) + " x " + std::to_string(base.height),
-                         "1 x 1 to " + std::to_string(max_size) + " x " + std::to_string(max_size));
-    }
     if (level.width != width || level.height != height || level.texels.size() != bytes) {
       throw SamplerError(
           "level " + std::to_string(k),
@@ -67,13 +71,22 @@ SamplerError::SamplerError(std::string field_name, std::string got, std::string 
 
 template <Config kConfig>
 SamplerState<kConfig> make_sampler(const SamplerOptions& options, const Texture& texture, const TextureMemory& memory) {
-  using F = Formats<kConfig>;
   check_chain(texture, 1 << kConfig.max_size_log2);
-  const int width = texture.levels.front().width;
-  const int height = texture.levels.front().height;
+  const MipLevel& base = texture.levels.front();
+  return make_sampler<kConfig>(options, TextureShape{texture.format, texture.srgb, base.width, base.height,
+                                                     static_cast<int>(texture.levels.size()), memory.level_base});
+}
+
+template <Config kConfig>
+SamplerState<kConfig> make_sampler(const SamplerOptions& options, const TextureShape& texture) {
+  using F = Formats<kConfig>;
+  const int width = texture.width;
+  const int height = texture.height;
+  check_size(width, height, 1 << kConfig.max_size_log2);
   const int smallest = bit_length(std::max(width, height)) - 1;
-  if (static_cast<int>(texture.levels.size()) > smallest + 1) {
-    throw SamplerError("levels", std::to_string(texture.levels.size()), "at most " + std::to_string(smallest + 1));
+  if (texture.levels < 1) throw SamplerError("levels", "0", "at least 1");
+  if (texture.levels > smallest + 1) {
+    throw SamplerError("levels", std::to_string(texture.levels), "at most " + std::to_string(smallest + 1));
   }
   SamplerState<kConfig> state;
   state.mode = state.mode.from_raw(static_cast<std::int64_t>(options.mode));
@@ -86,7 +99,7 @@ SamplerState<kConfig> make_sampler(const SamplerOptions& options, const Texture&
   state.width = state.width.from_raw(width);
   state.height = state.height.from_raw(height);
   state.smallest_level = state.smallest_level.from_raw(smallest);
-  state.last_level = state.last_level.from_raw(static_cast<std::int64_t>(texture.levels.size()) - 1);
+  state.last_level = state.last_level.from_raw(texture.levels - 1);
   const SizeReciprocal across = size_reciprocal(width, kConfig.size_reciprocal_bits);
   const SizeReciprocal down = size_reciprocal(height, kConfig.size_reciprocal_bits);
   state.width_reciprocal = state.width_reciprocal.from_raw(across.mantissa);
@@ -119,13 +132,14 @@ SamplerState<kConfig> make_sampler(const SamplerOptions& options, const Texture&
     const double missing = c == 3 ? 1 : 0;
     state.border[c] = quantized<F::kChannel>(255 * (c < channels ? border : missing));
   }
-  for (std::size_t k = 0; k < memory.level_base.size(); ++k) {
-    state.level_base[k] = state.level_base[k].from_raw(memory.level_base[k]);
+  for (std::size_t k = 0; k < texture.level_base.size(); ++k) {
+    state.level_base[k] = state.level_base[k].from_raw(texture.level_base[k]);
   }
   return state;
 }
 
 template SamplerState<kDefaultConfig> make_sampler<kDefaultConfig>(const SamplerOptions&, const Texture&,
                                                                    const TextureMemory&);
+template SamplerState<kDefaultConfig> make_sampler<kDefaultConfig>(const SamplerOptions&, const TextureShape&);
 
 }  // namespace feline
