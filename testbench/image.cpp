@@ -49,7 +49,7 @@ std::vector<std::byte> encode(const std::filesystem::path& path, int width, int 
 
 Texture load_texture(const std::filesystem::path& path, const ImageOptions& options) {
   const auto input = open_image(path);
-  const int file_channels = check_channels(path, input->spec());
+  const int file_channels = count_channels(path, input->spec());
   Texture texture{options.format.value_or(format_of(file_channels)), options.srgb,
                   read_levels(*input, path, file_channels)};
   const int channels = bytes_per_texel(texture.format);

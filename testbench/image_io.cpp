@@ -75,7 +75,7 @@ TexelFormat format_of(int channels) {
   return channels == 2 ? TexelFormat::kRg8 : TexelFormat::kRgba8;
 }
 
-int check_channels(const std::filesystem::path& path, const OIIO::ImageSpec& spec) {
+int count_channels(const std::filesystem::path& path, const OIIO::ImageSpec& spec) {
   const auto& names = spec.channelnames;
   const bool rgba_first =
       spec.nchannels > 4 && names[0] == "R" && names[1] == "G" && names[2] == "B" && names[3] == "A";

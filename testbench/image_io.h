@@ -23,7 +23,7 @@ std::unique_ptr<OIIO::ImageInput> open_image(const std::filesystem::path& path);
 
 // The channels of a file that are read, 1 to 4, and the format that they ask for, by load_texture's rules.
 // Throws InputError for: channels.
-int check_channels(const std::filesystem::path& path, const OIIO::ImageSpec& spec);
+int count_channels(const std::filesystem::path& path, const OIIO::ImageSpec& spec);
 TexelFormat format_of(int channels);
 // load_texture's rules for a file and a format that differ in channels.
 MipLevel convert_channels(const MipLevel& from, int from_channels, int to_channels);

@@ -39,7 +39,7 @@ std::unique_ptr<LazyTexture> LazyTexture::open(const std::filesystem::path& path
   auto input = open_image(path);
   std::unique_ptr<LazyTexture> texture(new LazyTexture);
   texture->path_ = path;
-  texture->file_channels_ = check_channels(path, input->spec());
+  texture->file_channels_ = count_channels(path, input->spec());
   TextureShape& shape = texture->shape_;
   shape = {options.format.value_or(format_of(texture->file_channels_)),
            options.srgb,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "testbench/render.h"
 
+#include <type_traits>
+
 #include "testbench/progress.h"
 
 namespace feline {
@@ -29,7 +31,7 @@ Picture render_by(const GBuffer& gbuffer, const SamplerState<kDefaultConfig>& sa
   ShortcutUnit<kDefaultConfig, Lines> unit(sampler, lines, shortcuts);
   Picture picture = render(gbuffer, sampler.srgb.raw() != 0,
                            [&](const auto& request, const auto& trace) { return unit.sample(request, trace); });
-  counts += unit.counts();
+  counts = unit.counts();
   return picture;
 }
 

@@ -12,7 +12,7 @@ namespace feline {
 // The model's picture of a G-buffer, with its plans. Shows progress when it takes long.
 Picture render_model(const GBuffer& gbuffer, const SamplerState<kDefaultConfig>& sampler, const TextureMemory& memory);
 
-// The same picture, bit for bit, with less work, which is added to `counts`; of a lazy texture only what is touched is
+// The same picture, bit for bit, with less work, which `counts` tells; of a lazy texture only what is touched is
 // loaded.
 Picture render_shortcuts(const GBuffer& gbuffer, const SamplerState<kDefaultConfig>& sampler,
                          const TextureMemory& memory, ShortcutCounts& counts, const Shortcuts& shortcuts = {});
