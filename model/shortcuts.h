@@ -187,20 +187,29 @@ class ShortcutUnit {
       const AxisTexels y = axis_texels<kConfig>(probes_[i].t, shape.height, wrap_t_, linear);
       const std::int64_t weight_x = kernel_weight<kConfig>(x.fraction, gaussian);
       const std::int64_t weight_y = kernel_weight<kConfig>(y.fraction, gaussian);
-      std::array<Texel, 4> texels{};
-      const bool one_column = weight_x == 0 && shortcuts_.weightless_texels;
-      const bool one_row = weight_y == 0 && shortcuts_.weightless_texels;
-      texels[0] = texel<kStored>(shape, x, y, 0, 0);
-      if (!one_column) texels[1] = texel<kStored>(shape, x, y, 1, 0);
-      if (!one_row) texels[2] = texel<kStored>(shape, x, y, 0, 1);
-      if (!one_column && !one_row) texels[3] = texel<kStored>(shape, x, y, 1, 1);
-      if (one_column || one_row) counts_.weightless_texels += one_column && one_row ? 3 : 2;
+      std::array<Texel, 4> texels;
+      if (shortcuts_.weightless_texels && (weight_x == 0 || weight_y == 0)) [[unlikely]] {
+        texels = texels_of_weight<kStored>(shape, x, y, weight_x != 0, weight_y != 0);
+      } else {
+        for (std::size_t j = 0; j < 4; ++j) texels[j] = texel<kStored>(shape, x, y, j % 2, j / 2);
+      }
       for (std::size_t c = 0; c < kChannels; ++c) {
         sums[c] += probes_[i].weight *
                    level_colour<kConfig>(texels[0][c], texels[1][c], texels[2][c], texels[3][c], weight_x, weight_y);
       }
     }
     counts_.absent_channels += static_cast<std::int64_t>(used_ * (4 - kChannels));
+  }
+
+  // Of the four texels those of two columns, of two rows, or only the first; the others are 0.
+  template <std::size_t kStored>
+  std::array<Texel, 4> texels_of_weight(const LevelShape& shape, const AxisTexels& x, const AxisTexels& y,
+                                        bool two_columns, bool two_rows) {
+    std::array<Texel, 4> texels{texel<kStored>(shape, x, y, 0, 0)};
+    if (two_columns) texels[1] = texel<kStored>(shape, x, y, 1, 0);
+    if (two_rows) texels[2] = texel<kStored>(shape, x, y, 0, 1);
+    counts_.weightless_texels += two_columns || two_rows ? 2 : 3;
+    return texels;
   }
 
   template <std::size_t kStored>
