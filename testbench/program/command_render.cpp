@@ -237,7 +237,10 @@ void add_render(CLI::App& program, int& exit_code, const std::vector<std::string
     options->cosim_command = repeat_command(as_cosim, {kOptions, kFlags});
   }
   CLI::App* command = program.add_subcommand("render", "makes a picture of a G-buffer and a texture");
-  command->footer("Example: feline render --scene window --mode table --size 512 --output window.png --map");
+  command->footer(
+      "The model leaves out what a lookup does not need, and loads of a texture file with tiles and MIP levels of its\n"
+      "own (maketx makes one) only what is touched; any other file is loaded whole. Neither changes a bit.\n"
+      "Example: feline render --scene window --mode table --size 512 --output window.png --map");
   options->subject.add_to(*command, true);
   options->sampler.add_to(*command, false);
   auto* const engine = command->add_option("--engine", options->engine, "model or rtl")->capture_default_str();
