@@ -151,9 +151,10 @@ Fixed<Formats<kConfig>::kHalfStep> to_half_step(std::int64_t vector, std::int64_
   return Fixed<F::kHalfStep>::from_raw(round_away_ties(product, static_cast<int>(right)));
 }
 
-// With kSkipsPoint the line of a single probe is not set up: its half steps are 0 without it, too.
-template <Config kConfig, bool kSkipsPoint = false>
-PlanBeat<kConfig> plan(const FootprintBeat<kConfig>& footprint, const SamplerState<kConfig>& sampler) {
+// Where `skips_point`, the line of a single probe is not set up: its half steps are 0 without it, too.
+template <Config kConfig>
+PlanBeat<kConfig> plan(const FootprintBeat<kConfig>& footprint, const SamplerState<kConfig>& sampler,
+                       bool skips_point = false) {
   PlanBeat<kConfig> beat;
   beat.tag = footprint.tag;
   beat.status = footprint.status;
@@ -178,7 +179,7 @@ PlanBeat<kConfig> plan(const FootprintBeat<kConfig>& footprint, const SamplerSta
   constexpr std::int64_t kBelowHalf = (std::int64_t{1} << (kFraction - 1)) - 1;
   const std::int64_t level = nearest_level ? ((lambda + kBelowHalf) >> kFraction) << kFraction : lambda;
 
-  if (!kSkipsPoint || probes > 1) {
+  if (probes > 1 || !skips_point) {
     const std::int64_t factor = half_step_factor<kConfig>(footprint, mode, radii, fitted, probes);
     beat.half_step_s = to_half_step<kConfig>(footprint.major_u.raw(), factor, sampler.width_reciprocal.raw(),
                                              sampler.width_shift.raw(), exponent);

@@ -93,8 +93,7 @@ class ShortcutUnit {
   template <typename Trace = NoTrace>
   AccumulateBeat<kConfig> sample(const RequestBeat<kConfig>& request, Trace&& trace = {}) {
     const FootprintBeat<kConfig> shaped = footprint<kConfig>(group<kConfig>(request, sampler_), sampler_);
-    const PlanBeat<kConfig> planned =
-        shortcuts_.round_footprints ? plan<kConfig, true>(shaped, sampler_) : plan<kConfig>(shaped, sampler_);
+    const PlanBeat<kConfig> planned = plan<kConfig>(shaped, sampler_, shortcuts_.round_footprints);
     trace(planned);
     AccumulateBeat<kConfig> beat;
     beat.tag = planned.tag;
