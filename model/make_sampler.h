@@ -29,23 +29,34 @@ struct SizeReciprocal {
 // 1/size = mantissa * 2^-(bits + shift), 2^(bits) <= mantissa < 2^(bits + 1), nearest.
 SizeReciprocal size_reciprocal(int size, int bits);
 
+// SamplerError unless both sides are 1 to max_size.
+void check_size(int width, int height, int max_size);
+void check_powers_of_two(int width, int height);
 // SamplerError unless each level has the size that level 0 gives it.
 void check_chain(const Texture& texture, int max_size);
-void check_powers_of_two(const Texture& texture);
 
 }  // namespace sampler_parts
 
 template <Config kConfig>
 SamplerState<kConfig> make_sampler(const SamplerOptions& options, const Texture& texture, const TextureMemory& memory) {
+  sampler_parts::check_chain(texture, 1 << kConfig.max_size_log2);
+  const MipLevel& base = texture.levels.front();
+  return make_sampler<kConfig>(options, TextureShape{texture.format, texture.srgb, base.width, base.height,
+                                                     static_cast<int>(texture.levels.size()), memory.level_base});
+}
+
+template <Config kConfig>
+SamplerState<kConfig> make_sampler(const SamplerOptions& options, const TextureShape& texture) {
   using F = Formats<kConfig>;
   using namespace sampler_parts;
-  check_chain(texture, 1 << kConfig.max_size_log2);
-  if (!kConfig.features.any_size) check_powers_of_two(texture);
-  const int width = texture.levels.front().width;
-  const int height = texture.levels.front().height;
+  const int width = texture.width;
+  const int height = texture.height;
+  check_size(width, height, 1 << kConfig.max_size_log2);
+  if (!kConfig.features.any_size) check_powers_of_two(width, height);
   const int smallest = bit_length(std::max(width, height)) - 1;
-  if (static_cast<int>(texture.levels.size()) > smallest + 1) {
-    throw SamplerError("levels", std::to_string(texture.levels.size()), "at most " + std::to_string(smallest + 1));
+  if (texture.levels < 1) throw SamplerError("levels", "0", "at least 1");
+  if (texture.levels > smallest + 1) {
+    throw SamplerError("levels", std::to_string(texture.levels), "at most " + std::to_string(smallest + 1));
   }
   SamplerState<kConfig> state;
   state.mode = state.mode.from_raw(static_cast<std::int64_t>(options.mode));
@@ -58,9 +69,8 @@ SamplerState<kConfig> make_sampler(const SamplerOptions& options, const Texture&
   state.width = state.width.from_raw(width);
   state.height = state.height.from_raw(height);
   state.smallest_level = state.smallest_level.from_raw(smallest);
-  const int levels = static_cast<int>(texture.levels.size());
-  state.last_level = state.last_level.from_raw(std::min(levels, F::kLevels) - 1);
-  state.levels_cut = state.levels_cut.from_raw(levels > F::kLevels);
+  state.last_level = state.last_level.from_raw(std::min(texture.levels, F::kLevels) - 1);
+  state.levels_cut = state.levels_cut.from_raw(texture.levels > F::kLevels);
   const SizeReciprocal across = size_reciprocal(width, kConfig.size_reciprocal_bits);
   const SizeReciprocal down = size_reciprocal(height, kConfig.size_reciprocal_bits);
   state.width_reciprocal = state.width_reciprocal.from_raw(across.mantissa);
@@ -94,8 +104,8 @@ SamplerState<kConfig> make_sampler(const SamplerOptions& options, const Texture&
     const double missing = c == 3 ? 1 : 0;
     state.border[c] = quantized<F::kChannel>(255 * (c < channels ? border : missing));
   }
-  for (std::size_t k = 0; k < std::min(memory.level_base.size(), state.level_base.size()); ++k) {
-    state.level_base[k] = state.level_base[k].from_raw(memory.level_base[k]);
+  for (std::size_t k = 0; k < std::min(texture.level_base.size(), state.level_base.size()); ++k) {
+    state.level_base[k] = state.level_base[k].from_raw(texture.level_base[k]);
   }
   return state;
 }

@@ -21,19 +21,23 @@ SizeReciprocal size_reciprocal(int size, int bits) {
   return {(scaled / size + 1) / 2, shift};
 }
 
+void check_size(int width, int height, int max_size) {
+  if (width < 1 || height < 1 || width > max_size || height > max_size) {
+    throw SamplerError("size", std::to_string(width) + " x " + std::to_string(height),
+                       "1 x 1 to " + std::to_string(max_size) + " x " + std::to_string(max_size));
+  }
+}
+
 void check_chain(const Texture& texture, int max_size) {
   if (texture.levels.empty()) throw SamplerError("levels", "0", "at least 1");
   const MipLevel& base = texture.levels.front();
+  check_size(base.width, base.height, max_size);
   for (std::size_t k = 0; k < texture.levels.size(); ++k) {
     const MipLevel& level = texture.levels[k];
     const int width = std::max(base.width >> k, 1);
     const int height = std::max(base.height >> k, 1);
     const auto bytes = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
                        static_cast<std::size_t>(bytes_per_texel(texture.format));
-    if (base.width < 1 || base.height < 1 || base.width > max_size || base.height > max_size) {
-      throw SamplerError("size", std::to_string(base.width) + " x " + std::to_string(base.height),
-                         "1 x 1 to " + std::to_string(max_size) + " x " + std::to_string(max_size));
-    }
     if (level.width != width || level.height != height || level.texels.size() != bytes) {
       throw SamplerError(
           "level " + std::to_string(k),
@@ -44,13 +48,9 @@ void check_chain(const Texture& texture, int max_size) {
   }
 }
 
-void check_powers_of_two(const Texture& texture) {
-  const MipLevel& base = texture.levels.front();
-  if (std::has_single_bit(static_cast<unsigned>(base.width)) &&
-      std::has_single_bit(static_cast<unsigned>(base.height))) {
-    return;
-  }
-  throw SamplerError("size", std::to_string(base.width) + " x " + std::to_string(base.height), "powers of two");
+void check_powers_of_two(int width, int height) {
+  if (std::has_single_bit(static_cast<unsigned>(width)) && std::has_single_bit(static_cast<unsigned>(height))) return;
+  throw SamplerError("size", std::to_string(width) + " x " + std::to_string(height), "powers of two");
 }
 
 }  // namespace sampler_parts
@@ -63,6 +63,7 @@ SamplerError::SamplerError(std::string field_name, std::string got, std::string 
 
 template SamplerState<kDefaultConfig> make_sampler<kDefaultConfig>(const SamplerOptions&, const Texture&,
                                                                    const TextureMemory&);
+template SamplerState<kDefaultConfig> make_sampler<kDefaultConfig>(const SamplerOptions&, const TextureShape&);
 #ifdef FELINE_UNIT_HEADER
 template SamplerState<kUnit> make_sampler<kUnit>(const SamplerOptions&, const Texture&, const TextureMemory&);
 #endif

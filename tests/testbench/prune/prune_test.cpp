@@ -90,7 +90,7 @@ TEST(prune, keeps_what_one_lookup_needs) {
   EXPECT_EQ(config.max_levels, 2);
   EXPECT_EQ(config.max_size_log2, 6);
   EXPECT_EQ(FormatSet(config).position_fraction, Formats<kDefaultConfig>::kPositionFraction);
-  EXPECT_EQ(config.exponent_bits, 3);  // 4 texels are 64 * 2^-4
+  EXPECT_EQ(config.exponent_bits, 2);  // 4 texels are 64 * 2^-4
   auto rows = decltype(config.weight_rows)::none();
   rows.add(8);  // fProbes 3: (3 - 1) * 4
   EXPECT_EQ(config.weight_rows, rows);
