@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "tables/config.h"
@@ -28,7 +29,7 @@ struct FormatSet {
   // radius of at most 2^max_size_log2 texels and a major radius of at most (max_probes + 1)/2 * aliasFactor of it, and
   // aliasFactor <= 2; the texture may be one texel wide. Where no coordinate is clamped, positions count modulo 4 only.
   int reach_log2;
-  // Clamped coordinates saturate where no probe can come back into the texture.
+  // Clamped coordinates saturate where no probe can come back into the texture, or farther away if so configured.
   int saturation_log2;
   int position_fraction;
   // Inside plan: floor(8 major/minor), saturated where the weight row no longer changes, and twice the major radius
@@ -56,7 +57,7 @@ struct FormatSet {
         weight_rows(gaussian_rows + config.max_probes),
         weight_columns(config.max_probes / 2 + 1),
         reach_log2(config.features.clamp_to_edge || config.features.clamp_to_border ? size_bits + probe_bits : 0),
-        saturation_log2(reach_log2 + 1),
+        saturation_log2(std::max(reach_log2 + 1, config.least_range_log2)),
         position_fraction(size_bits + config.subtexel_bits + config.guard_bits),
         eighths_width(bits_for(4 * config.max_probes + 8)),
         dividend_width(magnitude_bits + 1 + kLengthFraction + 2),

@@ -125,7 +125,7 @@ T pick(SplitMix64& random, const std::vector<T>& from) {
   return from[random.below(static_cast<std::uint32_t>(from.size()))];
 }
 
-SamplerOptions random_sampler(SplitMix64& random, const RandomBatches::Choices& choices) {
+SamplerOptions random_sampler(SplitMix64& random, const SamplerChoices& choices) {
   constexpr Format kFactor = Formats<kUnit>::kFactor;
   constexpr double kLeastLength = kFactor.value(Formats<kUnit>::kLeastLengthFactor);
   SamplerOptions options;
