@@ -12,7 +12,7 @@ feline_install_tests
 
 # Every field with its legal range, from tables/config.h.
 ranges() { sed -n 's/^  int \([a-z0-9_]*\) = .*; *\/\/ \([a-z0-9_]*\) \.\. \([0-9]*\)[:,].*/\1 \2 \3/p' tables/config.h; }
-features() { sed -n 's/^  bool \([a-z_]*\) = true;.*/\1/p' tables/config.h; }
+features() { sed -n 's/^  bool \([a-z0-9_]*\) = true;.*/\1/p' tables/config.h; }
 
 [[ $(ranges | wc -l) -eq $(grep -cE '^  int [a-z0-9_]+ = ' tables/config.h) ]] ||
   { echo "configurations.sh: a field of tables/config.h does not state its range" >&2; exit 1; }
