@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "testbench/budget/budget_report.h"
 #include "testbench/page/html.h"
@@ -27,10 +28,10 @@ std::string_view cost_meaning(CostKind kind) {
       return "Cycles: the probes of a pixel, one a cycle, of hardware that reads eight texels a cycle. They do not "
              "tell widths apart: of equal costs the choice has the least error.";
     case CostKind::kGates:
-      return "Gates: NAND2 equivalents of the synthesised unit without memories, ROMs included in those. Synthesis is "
-             "slow: of the candidates that hold a budget only those are synthesised that need no more than no other "
-             "one in every width and feature. It is assumed that a unit that needs no more than another one has no "
-             "more gates. The plot shows what was synthesised.";
+      return "Gates: NAND2 equivalents of the synthesised unit; its ROMs are logic among them, the texel cache's "
+             "memories are not. Synthesis is slow: of the candidates that hold a budget only those are "
+             "synthesised than which no other one needs less, in every width and feature. It is assumed that a unit that "
+             "needs no more than another one has no more gates. The plot shows what was synthesised.";
     case CostKind::kNanoseconds:
       return "Nanoseconds: processor time of one thread of the bit-accurate C++ model on this machine, the median of "
              "three runs. They are noisy, do not follow the widths, and say nothing of hardware.";
@@ -54,7 +55,7 @@ std::string introduction(const SearchOptions& options) {
                   "most {} probes; mantissas of {} bits, an ellipse table of {} cells a side, sub-texels of {} bits, "
                   "levels with {} fraction bits, weights with {}; what makes no difference to a mode is at its least. "
                   "The small space has the widest and the narrowest unit, and fewer parameters and probes.",
-                  kSpaceNames[static_cast<std::size_t>(options.survey.space)], "1, 2, 4, 8 or 16",
+                  kSpaceNames[static_cast<std::size_t>(options.survey.space)], "1, 2, 3, 4, 6, 8, 12 or 16",
                   fmt::join(Widths::kMantissaBits, ", "), fmt::join(Widths::kTableSides, " or "),
                   fmt::join(Widths::kSubtexelBits, " or "), fmt::join(Widths::kLevelFractionBits, " or "),
                   fmt::join(Widths::kWeightBits, " or ")),
@@ -75,46 +76,81 @@ std::string identifier(std::string name) {
   return name;
 }
 
-std::string front_plot(const SceneSearch& search, const SearchOptions& options) {
-  page::Plot plot;
-  plot.name = identifier(search.plan.name);
-  plot.title = search.plan.name;
-  plot.x.label = cost_label(options.cost);
-  plot.y.label =
-      fmt::format("PSNR against the {} truth, dB", kTruthChoiceNames[static_cast<std::size_t>(options.truth)]);
-  page::Series candidates{"candidates", {}, page::Style::kPoints};
-  page::Series front{"Pareto front", {}, page::Style::kLinesPoints};
-  page::Series full{"full unit", {}, page::Style::kPoints};
-  double low = std::numeric_limits<double>::infinity();
-  double high = search.full_cost;
-  for (std::size_t i = 0; i < search.measurements.size(); ++i) {
-    if (!search.costs[i]) continue;
-    candidates.points.push_back(point_of(search, options, i));
-    low = std::min(low, candidates.points.back().x);
-    high = std::max(high, candidates.points.back().x);
-  }
-  for (const std::size_t i : search.front) front.points.push_back(point_of(search, options, i));
-  full.points.push_back({search.full_cost, errors_of(search.measurements[search.full], options.truth).psnr()});
-  // Room for the names beside the dearest.
-  plot.x.low = low - 0.05 * (high - low);
-  plot.x.high = high + 0.15 * (high - low) + 0.01;
-  plot.series = {std::move(candidates), std::move(front), std::move(full)};
+// The choices of budgets, named; budgets whose choices lie closer together than names have room share a name.
+page::Series choice_points(const SceneSearch& search, const SearchOptions& options, double room_x, double room_y) {
   page::Series choices{"choices", {}, page::Style::kPoints};
   for (const BudgetChoice& choice : search.choices) {
     if (!choice.chosen) continue;
     page::Point point = point_of(search, options, *choice.chosen);
-    point.label = budget_name(choice.budget);
-    // Budgets with the same choice share its name.
-    const auto same = std::ranges::find_if(
-        choices.points, [&](const page::Point& other) { return other.x == point.x && other.y == point.y; });
-    if (same == choices.points.end()) {
-      choices.points.push_back(std::move(point));
+    const auto near = std::ranges::find_if(choices.points, [&](const page::Point& other) {
+      return !other.label.empty() && std::abs(other.x - point.x) < room_x && std::abs(other.y - point.y) < room_y;
+    });
+    if (near == choices.points.end()) {
+      point.label = budget_name(choice.budget);
     } else {
-      same->label += "; " + point.label;
+      near->label += ", " + budget_name(choice.budget);
+    }
+    choices.points.push_back(std::move(point));
+  }
+  return choices;
+}
+
+// Of the candidates whose PSNR is at least `least`.
+std::string front_plot(const SceneSearch& search, const SearchOptions& options, std::string_view part, double least) {
+  page::Plot plot;
+  plot.name = identifier(fmt::format("{}-{}", search.plan.name, part));
+  plot.title = fmt::format("{}, {}", search.plan.name, part);
+  plot.x.label = cost_label(options.cost);
+  plot.y.label = fmt::format("PSNR, dB, {} truth", kTruthChoiceNames[static_cast<std::size_t>(options.truth)]);
+  page::Series candidates{"candidates", {}, page::Style::kPoints};
+  page::Series front{"Pareto front", {}, page::Style::kLinesPoints};
+  page::Series full{"full unit", {}, page::Style::kPoints};
+  full.points.push_back({search.full_cost, errors_of(search.measurements[search.full], options.truth).psnr()});
+  page::Point low = full.points.front();
+  page::Point high = low;
+  const auto add = [&](page::Series& series, std::size_t place) {
+    const page::Point point = point_of(search, options, place);
+    if (point.y < least || !std::isfinite(point.y)) return;
+    low = {std::min(low.x, point.x), std::min(low.y, point.y)};
+    high = {std::max(high.x, point.x), std::max(high.y, point.y)};
+    series.points.push_back(point);
+  };
+  for (std::size_t i = 0; i < search.measurements.size(); ++i) {
+    if (search.costs[i]) add(candidates, i);
+  }
+  for (const std::size_t i : search.front) add(front, i);
+  const double width = std::max(high.x - low.x, 0.01);
+  const double height = std::max(high.y - low.y, 0.01);
+  // Room for the names beside the dearest.
+  plot.x.low = low.x - 0.05 * width;
+  plot.x.high = high.x + 0.25 * width;
+  plot.y.low = low.y - 0.05 * height;
+  plot.y.high = high.y + 0.1 * height;
+  plot.series = {std::move(candidates), std::move(front), std::move(full),
+                 choice_points(search, options, 0.2 * width, 0.06 * height)};
+  return page::svg(plot);
+}
+
+// All of the space, and closely what lies within twice the greatest budget in dB.
+std::string front_plots(const SceneSearch& search, const SearchOptions& options) {
+  constexpr double kGreatestShown = 3;
+  double greatest = 0;
+  for (const Budget& budget : options.budgets) {
+    if (budget.kind == Budget::Kind::kDecibels && budget.limit <= kGreatestShown) {
+      greatest = std::max(greatest, budget.limit);
     }
   }
-  plot.series.push_back(std::move(choices));
-  return page::svg(plot);
+  const std::string_view which =
+      options.cost == CostKind::kGates ? "every candidate that was synthesised" : "every candidate";
+  std::vector<std::string> plots{
+      page::figure(front_plot(search, options, "all", -std::numeric_limits<double>::infinity()),
+                   fmt::format("Error over {}: {}, and the choice for each budget.", cost_label(options.cost), which))};
+  const double full = errors_of(search.measurements[search.full], options.truth).psnr();
+  if (greatest > 0 && std::isfinite(full)) {
+    plots.push_back(page::figure(front_plot(search, options, "close", full - 2 * greatest),
+                                 fmt::format("The same, of those that lose at most {} dB.", 2 * greatest)));
+  }
+  return page::gallery(plots);
 }
 
 page::Table choice_table(const SceneSearch& search, const SearchOptions& options) {
@@ -195,10 +231,7 @@ std::string budget_page(const std::vector<SceneSearch>& searches, const SearchOp
         fmt::format("{}; {} x {}{}.", search.plan.description, search.plan.width, search.plan.height,
                     search.plan.frame_count > 1 ? fmt::format(", {} frames", search.plan.frame_count) : std::string()));
     html += page::table(choice_table(search, options));
-    html += page::figure(
-        front_plot(search, options),
-        fmt::format("Error over {}: every candidate{}, and the choice for each budget.", cost_label(options.cost),
-                    options.cost == CostKind::kGates ? " that was synthesised" : ""));
+    html += front_plots(search, options);
     html +=
         page::fold(fmt::format("The {} on the front", search.front.size()), page::table(front_table(search, options)));
   }

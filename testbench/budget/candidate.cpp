@@ -13,7 +13,7 @@ namespace feline {
 namespace {
 
 constexpr std::array kParameterSets{kExact, kHighQuality, kHighEfficiency};
-constexpr std::array kSearchedProbes{1, 2, 4, 8, 16};
+constexpr std::array kSearchedProbes{1, 2, 3, 4, 6, 8, 12, 16};
 constexpr std::array kFewProbes{2, 4, 16};
 constexpr std::array kFewParameters{ParameterSet::kExact, ParameterSet::kHighEfficiency};
 constexpr std::array kAllParameters{ParameterSet::kExact, ParameterSet::kHighQuality, ParameterSet::kHighEfficiency};

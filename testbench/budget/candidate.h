@@ -53,8 +53,8 @@ SamplerOptions sampler_options(const Candidate& candidate);
 // whole ROMs. Whatever else is asked of it, it flags. `sampler` is the default configuration's.
 Config hardware_of(const Candidate& candidate, const SamplerState<kDefaultConfig>& sampler, const VariantUse& use);
 
-// Whether no width and no feature of a unit is more than another's: then it has no more gates. ROMs are memories, and
-// no gates; which of their words are there is not looked at.
+// Whether no width and no feature of a unit is more than another's: then it is taken to have no more gates. Which words
+// of the ROMs are there is not looked at: hardware_of has them all.
 bool needs_no_more(const Config& unit, const Config& than);
 
 }  // namespace feline
