@@ -39,6 +39,7 @@ int run(const std::vector<std::string>& arguments, int argc, char** argv) {
   feline::add_report(program, exit_code);
   feline::add_figure(program, exit_code);
   feline::add_stability(program, exit_code);
+  feline::add_area(program, exit_code);
   feline::add_prune(program, exit_code, arguments);
   feline::add_profile(program, exit_code);
   feline::add_budget(program, exit_code);
