@@ -29,9 +29,9 @@ std::string_view cost_meaning(CostKind kind) {
              "tell widths apart: of equal costs the choice has the least error.";
     case CostKind::kGates:
       return "Gates: NAND2 equivalents of the synthesised unit; its ROMs are logic among them, the texel cache's "
-             "memories are not. Synthesis is slow: of the candidates that hold a budget only those are "
-             "synthesised than which no other one needs less, in every width and feature. It is assumed that a unit that "
-             "needs no more than another one has no more gates. The plot shows what was synthesised.";
+             "memories are not. Synthesis is slow: of the candidates that hold a budget only those are synthesised "
+             "than which no other one needs less, in every width and feature. It is assumed that a unit that needs no "
+             "more than another one has no more gates. The plot shows what was synthesised.";
     case CostKind::kNanoseconds:
       return "Nanoseconds: processor time of one thread of the bit-accurate C++ model on this machine, the median of "
              "three runs. They are noisy, do not follow the widths, and say nothing of hardware.";

@@ -4,9 +4,11 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "testbench/atomic_file.h"
 #include "testbench/budget/budget_report.h"
+#include "testbench/budget/gates.h"
 #include "testbench/error.h"
 #include "testbench/page/gnuplot.h"
 #include "testbench/program/command_line.h"
@@ -28,6 +30,8 @@ struct BudgetOptions {
   std::string cost = "cycles";
   std::string space = "full";
   std::string kernel = "bilinear";
+  std::string source = FELINE_SOURCE_DIR;
+  std::string library = kCellLibrary;
   std::string output = "feline-budget";
   std::string cache;
   std::uint64_t seed = 1;
@@ -60,6 +64,13 @@ int run_budget(const BudgetOptions& options) {
   if (error) bad_input(options.output, "--output", error.message(), "a directory, or where one can be made");
   const Cache cache(options.cache.empty() ? directory / "cache" : std::filesystem::path(options.cache));
   for (const char* const name : {"budget.html", "budget.json", "budget.csv"}) check_writable(directory / name);
+  std::optional<Synthesis> synthesis;
+  if (search.cost == CostKind::kGates) {
+    const std::filesystem::path rtl = std::filesystem::path(options.source) / "rtl";
+    synthesis.emplace(options.library, &cache);
+    unit_source(kDefaultConfig, rtl);  // complains before the work
+    search.gates = synthesized_gates(*synthesis, rtl);
+  }
   std::vector<SceneSearch> searches;
   {
     constexpr std::uint64_t kShare = 1000;
@@ -92,7 +103,8 @@ void add_budget(CLI::App& program, int& exit_code) {
       program.add_subcommand("budget", "the cheapest configuration that keeps to an error budget, by measurement");
   command->footer(
       "Every candidate of the space is rendered and compared with the truth; the cheapest that holds the budget is\n"
-      "measured anew. Exit code 1: that one does not hold, or none does.\n"
+      "measured anew. Exit code 1: that one does not hold, or none does. Gates need Yosys and cells, as feline area\n"
+      "does, and take minutes for each unit that has to be synthesized.\n"
       "Example: feline budget --scene window --budget-db 0.1,0.5,1 --cost cycles");
   options->exhibits.add_to(*command);
   command
@@ -110,6 +122,9 @@ void add_budget(CLI::App& program, int& exit_code) {
   names("--cost", options->cost, "what is to be least", kCostNames);
   names("--space", options->space, "what is searched", kSpaceNames);
   names("--kernel", options->kernel, "the full unit's kernel", kKernelNames);
+  command->add_option("--source", options->source, "this project's sources, for gates: with rtl/")
+      ->capture_default_str();
+  command->add_option("--library", options->library, "Liberty file of the cells, for gates")->capture_default_str();
   command->add_option("--output", options->output, "directory for budget.html, budget.json, budget.csv")
       ->capture_default_str();
   command->add_option("--cache", options->cache,
