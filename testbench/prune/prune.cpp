@@ -78,6 +78,19 @@ int pruned_exponent_bits(const Profile& profile) {
   return std::max(bits, 2);
 }
 
+// What does not saturate in the full unit must not in this one; what does, may earlier.
+int pruned_range_log2(const Profile& profile, const Features& features) {
+  if (!features.clamp_to_edge && !features.clamp_to_border) return 0;
+  std::int64_t range = 0;
+  for (const Reach reach : {Reach::kPositionBitsS, Reach::kPositionBitsT}) {
+    for (const auto& [bits, count] : profile[reach]) {
+      const std::int64_t needed = bits - F::kPositionFraction;
+      if (needed <= F::kSaturationLog2) range = std::max(range, needed);
+    }
+  }
+  return static_cast<int>(range);
+}
+
 // A smaller texture would take fraction bits from positions, which guard bits give back.
 void set_max_size(Config& config, int max_size_log2) {
   config.guard_bits += config.max_size_log2 - max_size_log2;
@@ -105,13 +118,7 @@ Config pruned_config(const Profile& profile, const Config& full) {
   const std::int64_t side = std::max(greatest(profile, Reach::kWidth), greatest(profile, Reach::kHeight));
   constexpr int kLeastSizeLog2 = 4;
   set_max_size(config, std::clamp(bit_length(side - 1), kLeastSizeLog2, full.max_size_log2));
-  // What does not saturate in the full unit must not in this one.
-  if (config.features.clamp_to_edge || config.features.clamp_to_border) {
-    const std::int64_t bits =
-        std::max(greatest(profile, Reach::kPositionBitsS), greatest(profile, Reach::kPositionBitsT));
-    config.least_range_log2 =
-        static_cast<int>(std::clamp<std::int64_t>(bits - F::kPositionFraction, 0, F::kSaturationLog2));
-  }
+  config.least_range_log2 = pruned_range_log2(profile, config.features);
   config.table_cells = decltype(config.table_cells)::none();
   for (const auto& [cell, count] : profile[Reach::kCell]) config.table_cells.add(static_cast<std::size_t>(cell));
   config.weight_rows = pruned_weight_rows(profile, FormatSet(config).gaussian_rows);

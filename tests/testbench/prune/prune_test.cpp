@@ -56,7 +56,7 @@ void expect_flags_where_profiles_say(const char* name) {
     }
     const auto pixel = sample<kConfig>(make_request<kConfig>(lookup, i), own, scene.memory);
     const bool flagged = (pixel.status.raw() & kUnsupported) != 0;
-    ASSERT_EQ(flagged, !is_within(needed, kConfig)) << "lookup " << i;
+    ASSERT_EQ(flagged, !is_within(needed, kConfig)) << "lookup " << i << " needs\n" << unit_header(needed);
     (flagged ? outside : inside) += 1;
   }
   EXPECT_GT(inside, 40);
