@@ -33,7 +33,6 @@ Fixed<Formats<kConfig>::kPixel> round_sum(std::int64_t sum) {
 
 template <Config kConfig>
 std::optional<AccumulateBeat<kConfig>> accumulate(const FilterBeat<kConfig>& filter, Accumulator<kConfig>& sum) {
-  using F = Formats<kConfig>;
   const bool first = filter.first.raw() != 0;
   for (std::size_t c = 0; c < 4; ++c) {
     const std::int64_t carried = first ? 0 : sum.colour[c].raw();
