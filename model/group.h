@@ -25,9 +25,6 @@
 
 namespace feline {
 
-// A configuration may have a narrower one, outside which a lookup is unsupported.
-inline constexpr Format kFullExponent = Formats<kDefaultConfig>::kExponent;
-
 struct FloatParts {
   bool negative = false;
   int exponent = 0;           // biased
@@ -88,7 +85,7 @@ GroupBeat<kConfig> group(const RequestBeat<kConfig>& request, const SamplerState
   constexpr Features kFeatures = kConfig.features;
   constexpr std::array kPlaces{kFeatures.dudx, kFeatures.dvdx, kFeatures.dudy, kFeatures.dvdy};
   const bool finite = std::ranges::all_of(parts, [](const FloatParts& p) { return p.finite(); });
-  constexpr int kFullRange = std::max(F::kSaturationLog2, Formats<kDefaultConfig>::kSaturationLog2);
+  constexpr int kFullRange = std::max(F::kSaturationLog2, kFullRangeLog2);
   const auto saturates_early = [](const FloatParts& parts, Wrap wrap) {
     return reaches(parts, wrap, F::kSaturationLog2) && !reaches(parts, wrap, kFullRange);
   };
@@ -106,7 +103,9 @@ GroupBeat<kConfig> group(const RequestBeat<kConfig>& request, const SamplerState
         unsupported_if(missing || saturates_early(s, wrap_s) || saturates_early(t, wrap_t)));
 
   constexpr std::int64_t kMax = F::kMantissa.max_raw();
-  constexpr bool kIsNarrow = F::kExponent.max_raw() < kFullExponent.max_raw();
+  // A configuration may have a narrower exponent, outside which a lookup is unsupported.
+  constexpr std::int64_t kFullMax = (std::int64_t{1} << kFullExponentBits) - 1;
+  constexpr bool kIsNarrow = F::kExponent.max_raw() < kFullMax;
   if (!finite) {
     raise(unsupported_if(kIsNarrow || !kFeatures.dudx || !kFeatures.dvdy));
     beat.exponent = beat.exponent.from_raw(F::kExponent.max_raw());
@@ -140,11 +139,11 @@ GroupBeat<kConfig> group(const RequestBeat<kConfig>& request, const SamplerState
     round_all();
   }
   if (exponent < F::kExponent.min_raw()) {
-    raise(unsupported_if(kIsNarrow && exponent >= kFullExponent.min_raw()));
+    raise(unsupported_if(kIsNarrow && exponent >= ~kFullMax));
     beat.exponent = beat.exponent.from_raw(F::kExponent.min_raw());
     return beat;
   }
-  if (exponent > kFullExponent.max_raw()) raise(kOverflow);
+  if (exponent > kFullMax) raise(kOverflow);
   raise(unsupported_if(kIsNarrow && exponent > F::kExponent.max_raw()));
   beat.exponent = beat.exponent.saturate(exponent);
   const auto mantissa = [&](std::size_t i) {

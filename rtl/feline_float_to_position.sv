@@ -2,7 +2,8 @@
 // A float32 texture coordinate to fixed point (to_position of model/group.h).
 //
 // Takes  s or t, float32, normalized (1 = the texture's size); its wrap mode.
-// Gives  the coordinate S20.24 textures; whether it was finite; whether a clamp saturates it, though it was.
+// Gives  the coordinate S20.24 textures; whether it was finite; whether a clamp saturates it, though it was; whether it
+//        saturates earlier than the full unit's would.
 // Rounds nearest, ties away from zero.
 // Edges  Denormals are 0. |s| >= 2^19: the clamps saturate at 2^19, the repeats keep the value modulo 2^21. NaN is 0;
 //        infinity is +-2^19 (clamps) or 0 (repeats).
@@ -25,8 +26,9 @@ module feline_float_to_position #(
   // The exponent at which the significand's unit is the position's last bit.
   localparam logic [ExponentBits-1:0] UnitExponent = ExponentBits'(Bias + FractionBits - feline_pkg::PositionFraction);
   localparam logic [ExponentBits-1:0] SaturationExponent = ExponentBits'(Bias + feline_pkg::SaturationLog2);
-  // The default configuration's, if a smaller one saturates earlier.
-  localparam int unsigned FullSaturationLog2 = feline_pkg::SaturationLog2 > 19 ? feline_pkg::SaturationLog2 : 19;
+  // The full unit's, if a smaller one saturates earlier.
+  localparam int unsigned FullSaturationLog2 =
+      feline_pkg::SaturationLog2 > feline_pkg::FullRangeLog2 ? feline_pkg::SaturationLog2 : feline_pkg::FullRangeLog2;
   localparam logic [ExponentBits-1:0] FullExponent = ExponentBits'(Bias + FullSaturationLog2);
   localparam logic [feline_pkg::PositionWidth-1:0] Limit =
       feline_pkg::PositionWidth'(1) << (feline_pkg::SaturationLog2 + feline_pkg::PositionFraction);

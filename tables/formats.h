@@ -18,6 +18,11 @@ constexpr int bits_for(std::size_t count) {
 }
 constexpr int bits_for(int count) { return bits_for(static_cast<std::size_t>(count)); }
 
+// Of the full unit, from which a smaller one must not differ without a flag: bits of the group exponent, and where
+// clamped coordinates saturate, 2^19 textures.
+inline constexpr int kFullExponentBits = 6;
+inline constexpr int kFullRangeLog2 = 19;
+
 // A 4 x 4 tile of texels is one memory line.
 inline constexpr int kTileLog2 = 2;
 

@@ -1,30 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <limits>
 
 #include "testbench/error.h"
-#include "testbench/image.h"
 #include "testbench/measure/survey.h"
 #include "testbench/page/gnuplot.h"
 #include "testbench/program/command_line.h"
 #include "testbench/program/commands.h"
-#include "testbench/program/subject.h"
+#include "testbench/program/exhibits.h"
 #include "testbench/report/report.h"
 
 namespace feline {
 namespace {
 
 struct ReportOptions {
-  std::string scenes = "all";
+  ExhibitOptions exhibits{"all", "512"};
   std::string filters = "all";
-  std::string size = "512";
-  std::string gbuffer;
-  std::string texture;
-  bool srgb = false;
-  std::string wrap = "repeat";
   std::string output = "feline-report";
   std::string cache;
   std::optional<double> budget;
@@ -46,40 +39,10 @@ std::vector<const Contestant*> choose_contestants(const std::string& text) {
   return chosen;
 }
 
-// A user's own G-buffer and texture.
-ExhibitPlan plan_own(const ReportOptions& options) {
-  if (options.gbuffer.empty() || options.texture.empty()) {
-    bad_input("command line", options.gbuffer.empty() ? "--gbuffer" : "--texture", "nothing",
-              "a file: a G-buffer and a texture go together");
-  }
-  const auto wrap = static_cast<Wrap>(parse_name("--wrap", options.wrap, kWrapNames));
-  ImageOptions image;
-  image.srgb = options.srgb;
-  image.mip_edge = wrap == Wrap::kRepeat ? MipEdge::kRepeat : MipEdge::kClamp;
-  return plan_exhibit(options.gbuffer, options.texture, image, wrap);
-}
-
-std::vector<ExhibitPlan> choose_exhibits(const ReportOptions& options) {
-  std::vector<ExhibitPlan> chosen;
-  if (!options.gbuffer.empty() || !options.texture.empty()) {
-    chosen.push_back(plan_own(options));
-    return chosen;
-  }
-  const Size size = parse_size("--size", options.size);
-  if (options.scenes == "all") {
-    for (const Scene& scene : scenes()) chosen.push_back(plan_exhibit(scene, size.width, size.height));
-    return chosen;
-  }
-  for (const std::string& name : split_list("--scene", options.scenes)) {
-    chosen.push_back(plan_exhibit(find_scene(name), size.width, size.height));
-  }
-  return chosen;
-}
-
 int run_report(const ReportOptions& options) {
   SurveyOptions survey_options;
   survey_options.contestants = choose_contestants(options.filters);
-  survey_options.exhibits = choose_exhibits(options);
+  survey_options.exhibits = options.exhibits.plans();
   survey_options.budget = options.budget;
   survey_options.seed = options.seed;
   page::check_gnuplot();
@@ -111,20 +74,8 @@ void add_report(CLI::App& program, int& exit_code) {
   auto options = std::make_shared<ReportOptions>();
   CLI::App* command = program.add_subcommand("report", "error against run time: all filters, all scenes");
   command->footer("Example: feline report --scene window --filter trilinear,ewa,unit_table --size 256");
-  auto* const scene =
-      command->add_option("--scene", options->scenes, scene_names() + "; a list a,b, or all")->capture_default_str();
+  options->exhibits.add_to(*command);
   command->add_option("--filter", options->filters, contestant_names() + "; a list a,b, or all")->capture_default_str();
-  auto* const size =
-      command->add_option("--size", options->size, "picture size: N or WIDTHxHEIGHT; a sequence's frames have half")
-          ->capture_default_str();
-  auto* const gbuffer =
-      command
-          ->add_option("--gbuffer", options->gbuffer, "EXR with channels s, t, dsdx, dtdx, dsdy, dtdy: your own view")
-          ->excludes(scene)
-          ->excludes(size);
-  auto* const texture = command->add_option("--texture", options->texture, "image or .tx file for it")->needs(gbuffer);
-  command->add_flag("--srgb", options->srgb, "the texture file's colours are sRGB encoded")->needs(texture);
-  command->add_option("--wrap", options->wrap, fmt::format("of it: {}", fmt::join(kWrapNames, ", ")))->needs(texture);
   command->add_option("--output", options->output, "directory for report.html, report.json, report.csv")
       ->capture_default_str();
   command->add_option("--cache", options->cache,

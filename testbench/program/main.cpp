@@ -44,6 +44,7 @@ int run(const std::vector<std::string>& arguments, int argc, char** argv) {
   feline::add_shortcuts(program, exit_code);
   feline::add_prune(program, exit_code, arguments);
   feline::add_profile(program, exit_code);
+  feline::add_budget(program, exit_code);
   std::vector<std::string> names;
   for (const CLI::App* const command : program.get_subcommands(nullptr)) names.push_back(command->get_name());
   if (argc > 1 && argv[1][0] != '-' && std::ranges::find(names, argv[1]) == names.end()) {

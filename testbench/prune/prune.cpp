@@ -80,8 +80,8 @@ int pruned_exponent_bits(const Profile& profile) {
 
 // A smaller texture would take fraction bits from positions, which guard bits give back.
 void set_max_size(Config& config, int max_size_log2) {
+  config.guard_bits += config.max_size_log2 - max_size_log2;
   config.max_size_log2 = max_size_log2;
-  config.guard_bits = F::kPositionFraction - config.subtexel_bits - max_size_log2;
 }
 
 // Rows of the weight table are numbered by the most probes: Gaussian ones first, then equal ones.
@@ -95,8 +95,8 @@ WordMask<std::size_t{5} * Config::kMostProbes> pruned_weight_rows(const Profile&
 
 }  // namespace
 
-Config pruned_config(const Profile& profile) {
-  Config config;
+Config pruned_config(const Profile& profile, const Config& full) {
+  Config config = full;
   config.features = pruned_features(profile);
   config.exponent_bits = pruned_exponent_bits(profile);
   config.max_probes = static_cast<int>(std::max<std::int64_t>(greatest(profile, Reach::kWantedProbes), 1));
@@ -104,7 +104,7 @@ Config pruned_config(const Profile& profile) {
   config.max_levels = static_cast<int>(coarsest) + 1;
   const std::int64_t side = std::max(greatest(profile, Reach::kWidth), greatest(profile, Reach::kHeight));
   constexpr int kLeastSizeLog2 = 4;
-  set_max_size(config, std::clamp(bit_length(side - 1), kLeastSizeLog2, kDefaultConfig.max_size_log2));
+  set_max_size(config, std::clamp(bit_length(side - 1), kLeastSizeLog2, full.max_size_log2));
   // What does not saturate in the full unit must not in this one.
   if (config.features.clamp_to_edge || config.features.clamp_to_border) {
     const std::int64_t bits =

@@ -10,8 +10,9 @@
 namespace feline {
 
 // The smallest configuration whose unit gives the full unit's pixels, colour and status, for every lookup of a profile
-// taken from the default one. Whatever else comes is flagged as unsupported, or comes out as of the full unit.
-Config pruned_config(const Profile& profile);
+// taken from it. Whatever else comes is flagged as unsupported, or comes out as of the full unit. That is the default
+// one, or one of other widths.
+Config pruned_config(const Profile& profile, const Config& full = kDefaultConfig);
 
 // Whether everything that a configuration needs is in another one: then whatever the first one's unit can do, the
 // second one's can.

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "testbench/budget/variants.h"
+
+namespace feline {
+
+std::span<const Variant> variants_of_mantissa_6() { return variants_of_mantissa<6>(); }
+
+}  // namespace feline
