@@ -70,6 +70,19 @@ nlohmann::ordered_json to_json(const Activity& activity) {
   return json;
 }
 
+Activity activity_from_json(const nlohmann::ordered_json& json) {
+  Activity activity;
+  json.at("lookups").get_to(activity.lookups);
+  json.at("probes").get_to(activity.probes);
+  json.at("cycles").get_to(activity.cycles);
+  for (const auto& each : json.at("stages")) {
+    StageToggles& stage = activity.stages.emplace_back();
+    each.at("stage").get_to(stage.stage);
+    for (const auto& [name, count] : kCounts) each.at(name).get_to(stage.*count);
+  }
+  return activity;
+}
+
 std::string to_text(const Activity& activity) {
   const auto pixels = static_cast<double>(activity.lookups);
   const auto by_pixel = [&](std::uint64_t count) { return static_cast<double>(count) / pixels; };

@@ -25,6 +25,8 @@ void add(Activity& into, const Activity& from);
 Activity measure_activity(const Batch& batch, const Timing& timing, const RtlFactory& trace, Progress* progress);
 
 nlohmann::ordered_json to_json(const Activity& activity);
+// Throws std::exception when it is no such text.
+Activity activity_from_json(const nlohmann::ordered_json& json);
 std::string to_text(const Activity& activity);
 
 }  // namespace feline

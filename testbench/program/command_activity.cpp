@@ -1,56 +1,72 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <limits>
+#include <array>
 #include <memory>
 
-#include "testbench/area/activity.h"
+#include "testbench/error.h"
+#include "testbench/page/process.h"
+#include "testbench/program/activity_options.h"
 #include "testbench/program/command_line.h"
 #include "testbench/program/commands.h"
-#include "testbench/program/frames.h"
 
 namespace feline {
 namespace {
 
-struct ActivityOptions {
-  FrameOptions frames;
-  Timing timing;
+struct ActivityCommand {
+  ActivityOptions options;
+  std::string unit;
+  std::string source = FELINE_SOURCE_DIR;
   bool json = false;
+  std::vector<std::string> arguments;  // of the command line, for a pruned unit's own program
 };
 
-int run_activity(const ActivityOptions& options) {
-  options.frames.check();
-  Activity activity;
-  options.frames.for_each("counting toggles", [&](const Frame& frame, Progress& progress) {
-    const auto sampler = prepare_sampler(frame.sampler, frame.texture, frame.memory);
-    add(activity, measure_activity({sampler, &frame.memory, frame.gbuffer.lookups, 0}, options.timing, make_trace_unit,
-                                   &progress));
-  });
-  fmt::print("{}", options.json ? to_json(activity).dump(1) + "\n" : to_text(activity));
+Activity of_pruned_unit(const ActivityCommand& command) {
+  const std::filesystem::path directory = command.unit;
+  const std::filesystem::path script = std::filesystem::path(command.source) / "testbench" / "prune" / "build.sh";
+  if (!std::filesystem::exists(script)) {
+    bad_input(command.source, "--source", "no testbench/prune/build.sh in it", "this project's sources");
+  }
+  if (!std::filesystem::exists(directory / "unit.h")) {
+    bad_input(command.unit, "--unit", "no unit.h in it", "a directory of feline prune");
+  }
+  const page::Finished built = page::run_process({script.string(), directory.string(), "feline_activity"}, "");
+  if (built.code != 0) throw std::runtime_error("the unit's build failed:\n" + built.output + built.errors);
+  std::vector<std::string> program{std::filesystem::absolute(directory / "build" / "feline_activity").string()};
+  program.insert(program.end(), command.arguments.begin(), command.arguments.end());
+  const page::Finished finished = page::run_process(program, "");
+  if (finished.code != 0) throw std::runtime_error("the pruned unit: " + finished.errors);
+  return activity_from_json(nlohmann::ordered_json::parse(finished.output));
+}
+
+int run_activity(const ActivityCommand& command) {
+  command.options.frames.check();
+  const Activity activity = command.unit.empty() ? command.options.measure() : of_pruned_unit(command);
+  fmt::print("{}", command.json ? to_json(activity).dump(1) + "\n" : to_text(activity));
   return kHolds;
 }
 
 }  // namespace
 
-void add_activity(CLI::App& program, int& exit_code) {
-  auto options = std::make_shared<ActivityOptions>();
+void add_activity(CLI::App& program, int& exit_code, const std::vector<std::string>& arguments) {
+  auto options = std::make_shared<ActivityCommand>();
+  constexpr std::array<std::string_view, 2> kOptions{"--unit", "--source"};
+  constexpr std::array<std::string_view, 1> kFlags{"--json"};
+  constexpr std::size_t kProgramAndCommand = 2;
+  if (arguments.size() > kProgramAndCommand) {
+    options->arguments = arguments_without(std::span(arguments).subspan(kProgramAndCommand), {kOptions, kFlags});
+  }
   CLI::App* command = program.add_subcommand("activity", "toggles a pixel of every stage of the RTL, and cycles");
   command->footer(
       "Counts bits that change from one cycle to the next: of flip-flops, of all signals that a stage drives, and of the\n"
       "words of the texel cache. Example: feline activity --scene bricks --size 64 --memory-latency 100");
-  options->frames.add_to(*command);
-  command->add_option("--memory-latency", options->timing.memory_latency, "cycles from a read to its data")
-      ->check(whole_number(1, 100000))
-      ->capture_default_str();
-  command->add_option("--stalls", options->timing.stalls, "chance of a stall at each port in each cycle")
-      ->check(number(0, 0.95))
-      ->capture_default_str();
-  command->add_option("--seed", options->timing.seed, "of stalls and power-up state")
-      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
-      ->capture_default_str();
+  options->options.add_to(*command);
+  command->add_option("--unit", options->unit,
+                      "directory of feline prune, whose unit is built; otherwise the full unit");
+  command->add_option("--source", options->source, "this project's sources, to build that from")->capture_default_str();
   command->add_flag("--json", options->json, "toggles of the whole run as JSON");
   command->callback([options, &exit_code] {
-    if (!options->frames.given()) options->frames.choose_default_scene();
+    if (!options->options.frames.given()) options->options.frames.choose_default_scene();
     exit_code = run_activity(*options);
   });
 }
