@@ -24,9 +24,15 @@ struct Accumulator {
   Fixed<Formats<kConfig>::kStatus> status;
 };
 
+// The exact weighted sum of a channel, U8.36, to the result's.
+template <Config kConfig>
+Fixed<Formats<kConfig>::kPixel> round_sum(std::int64_t sum) {
+  using F = Formats<kConfig>;
+  return Fixed<F::kPixel>::from_raw(round_up_ties(sum, F::kAccumulated.fraction_bits - F::kPixel.fraction_bits));
+}
+
 template <Config kConfig>
 std::optional<AccumulateBeat<kConfig>> accumulate(const FilterBeat<kConfig>& filter, Accumulator<kConfig>& sum) {
-  using F = Formats<kConfig>;
   const bool first = filter.first.raw() != 0;
   for (std::size_t c = 0; c < 4; ++c) {
     const std::int64_t carried = first ? 0 : sum.colour[c].raw();
@@ -37,10 +43,7 @@ std::optional<AccumulateBeat<kConfig>> accumulate(const FilterBeat<kConfig>& fil
   AccumulateBeat<kConfig> beat;
   beat.tag = filter.tag;
   beat.status = sum.status;
-  for (std::size_t c = 0; c < 4; ++c) {
-    beat.colour[c] = beat.colour[c].from_raw(
-        round_up_ties(sum.colour[c].raw(), F::kAccumulated.fraction_bits - F::kPixel.fraction_bits));
-  }
+  for (std::size_t c = 0; c < 4; ++c) beat.colour[c] = round_sum<kConfig>(sum.colour[c].raw());
   return beat;
 }
 

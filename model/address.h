@@ -65,6 +65,22 @@ AxisTexels axis_texels(std::int64_t position, std::int64_t size, Wrap wrap, bool
           linear ? coordinate - (low << kFraction) : 0};
 }
 
+// Sizes of a level in texels, its tiles a row and its first memory line.
+struct LevelShape {
+  std::int64_t width, height, tiles_a_row, base;
+  std::int64_t line(std::int64_t x, std::int64_t y) const {
+    return base + (y >> kTileLog2) * tiles_a_row + (x >> kTileLog2);
+  }
+};
+
+template <Config kConfig>
+LevelShape level_shape(const SamplerState<kConfig>& sampler, std::int64_t level) {
+  constexpr std::int64_t kTileMask = (std::int64_t{1} << kTileLog2) - 1;
+  const std::int64_t width = std::max<std::int64_t>(sampler.width.raw() >> level, 1);
+  const std::int64_t height = std::max<std::int64_t>(sampler.height.raw() >> level, 1);
+  return {width, height, (width + kTileMask) >> kTileLog2, sampler.level_base[static_cast<std::size_t>(level)].raw()};
+}
+
 template <Config kConfig>
 struct LevelTexels {
   AxisTexels x, y;
@@ -75,18 +91,12 @@ template <Config kConfig>
 LevelTexels<kConfig> level_texels(const WalkBeat<kConfig>& walk, const SamplerState<kConfig>& sampler,
                                   std::int64_t level) {
   const bool linear = walk.linear.raw() != 0;
-  const std::int64_t width = std::max<std::int64_t>(sampler.width.raw() >> level, 1);
-  const std::int64_t height = std::max<std::int64_t>(sampler.height.raw() >> level, 1);
+  const LevelShape shape = level_shape(sampler, level);
   LevelTexels<kConfig> texels{
-      axis_texels<kConfig>(walk.s.raw(), width, supported_wrap<kConfig>(sampler.wrap_s), linear),
-      axis_texels<kConfig>(walk.t.raw(), height, supported_wrap<kConfig>(sampler.wrap_t), linear),
+      axis_texels<kConfig>(walk.s.raw(), shape.width, supported_wrap<kConfig>(sampler.wrap_s), linear),
+      axis_texels<kConfig>(walk.t.raw(), shape.height, supported_wrap<kConfig>(sampler.wrap_t), linear),
       {}};
-  constexpr std::int64_t kTileMask = (std::int64_t{1} << kTileLog2) - 1;
-  const std::int64_t tiles_a_row = (width + kTileMask) >> kTileLog2;
-  const std::int64_t base = sampler.level_base[static_cast<std::size_t>(level)].raw();
-  for (std::size_t i = 0; i < 4; ++i) {
-    texels.line[i] = base + (texels.y.index[i / 2] >> kTileLog2) * tiles_a_row + (texels.x.index[i % 2] >> kTileLog2);
-  }
+  for (std::size_t i = 0; i < 4; ++i) texels.line[i] = shape.line(texels.x.index[i % 2], texels.y.index[i / 2]);
   return texels;
 }
 

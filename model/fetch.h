@@ -19,13 +19,24 @@
 
 namespace feline {
 
+// The channels that a texel has in memory; the others are the same for every texel.
+template <Config kConfig>
+int texel_channels(const SamplerState<kConfig>& sampler) {
+  return bytes_per_texel(supported_format<kConfig>(sampler));
+}
+
+// Where a texel lies in its line, in texels.
+constexpr std::size_t texel_slot(std::int64_t x, std::int64_t y) {
+  return static_cast<std::size_t>(y % kTileSide * kTileSide + x % kTileSide);
+}
+
 template <Config kConfig>
 typename FetchBeat<kConfig>::Texel decode_texel(std::span<const std::uint8_t> line, std::int64_t x, std::int64_t y,
                                                 const SamplerState<kConfig>& sampler) {
   using Channel = Fixed<Formats<kConfig>::kChannel>;
   constexpr int kFraction = kConfig.channel_fraction_bits;
-  const int channels = bytes_per_texel(supported_format<kConfig>(sampler));
-  const auto slot = static_cast<std::size_t>(y % kTileSide * kTileSide + x % kTileSide);
+  const int channels = texel_channels<kConfig>(sampler);
+  const std::size_t slot = texel_slot(x, y);
   const bool decodes = sampler.srgb.raw() != 0 && kConfig.features.srgb;
   typename FetchBeat<kConfig>::Texel texel{};
   texel[3] = Channel::from_raw(std::int64_t{255} << kFraction);
@@ -39,9 +50,27 @@ typename FetchBeat<kConfig>::Texel decode_texel(std::span<const std::uint8_t> li
 }
 
 template <Config kConfig>
+inline constexpr auto kOpaque = Fixed<Formats<kConfig>::kChannel>::from_raw(std::int64_t{255}
+                                                                            << kConfig.channel_fraction_bits);
+
+// What the configuration has no place for is 0, alpha one.
+template <Config kConfig>
+typename FetchBeat<kConfig>::Texel supported_texel(typename FetchBeat<kConfig>::Texel texel) {
+  constexpr int kChannels = channel_count(kConfig.features);
+  for (std::size_t c = kChannels; c < 3; ++c) texel[c] = {};
+  if (kChannels < 4 || !kConfig.features.alpha) texel[3] = kOpaque<kConfig>;
+  return texel;
+}
+
+// Whether alpha is asked for by a texel of a configuration that has all channels but that one.
+template <Config kConfig>
+bool lacks_alpha(const typename FetchBeat<kConfig>::Texel& texel) {
+  return channel_count(kConfig.features) == 4 && !kConfig.features.alpha && texel[3] != kOpaque<kConfig>;
+}
+
+template <Config kConfig>
 FetchBeat<kConfig> fetch(const AddressBeat<kConfig>& address, const SamplerState<kConfig>& sampler,
                          const TextureMemory& memory) {
-  using F = Formats<kConfig>;
   FetchBeat<kConfig> beat;
   beat.tag = address.tag;
   beat.probe = address.probe;
@@ -61,16 +90,10 @@ FetchBeat<kConfig> fetch(const AddressBeat<kConfig>& address, const SamplerState
     if (outside) return sampler.border;
     return decode_texel<kConfig>(memory.line(lines[i].raw()), xs[i % 2].raw(), ys[i / 2].raw(), sampler);
   };
-  // What the configuration has no channel for.
-  constexpr auto kOpaque = Fixed<F::kChannel>::from_raw(std::int64_t{255} << kConfig.channel_fraction_bits);
-  constexpr int kChannels = channel_count(kConfig.features);
   bool missing = false;
-  const auto cut = [&](Texel texel) {
-    for (std::size_t c = kChannels; c < 3; ++c) texel[c] = {};
-    if (kChannels == 4 && kConfig.features.alpha) return texel;
-    missing = missing || (kChannels == 4 && texel[3] != kOpaque);
-    texel[3] = kOpaque;
-    return texel;
+  const auto cut = [&](const Texel& texel) {
+    missing = missing || lacks_alpha<kConfig>(texel);
+    return supported_texel<kConfig>(texel);
   };
   const std::array fine{&beat.fine_00, &beat.fine_10, &beat.fine_01, &beat.fine_11};
   const std::array coarse{&beat.coarse_00, &beat.coarse_10, &beat.coarse_01, &beat.coarse_11};

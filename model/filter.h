@@ -19,6 +19,26 @@ constexpr std::int64_t interpolate(std::int64_t a, std::int64_t b, std::int64_t 
   return a * ((std::int64_t{1} << fraction_bits) - fraction) + b * fraction;
 }
 
+// Between texels 00, 10, 01, 11 of a level: U8.4 -> U8.20.
+template <Config kConfig>
+constexpr std::int64_t level_colour(std::int64_t t00, std::int64_t t10, std::int64_t t01, std::int64_t t11,
+                                    std::int64_t x, std::int64_t y) {
+  constexpr int kSubtexel = kConfig.subtexel_bits;
+  return interpolate(interpolate(t00, t10, x, kSubtexel), interpolate(t01, t11, x, kSubtexel), y, kSubtexel);
+}
+
+template <Config kConfig>
+constexpr bool takes_gaussian(const SamplerState<kConfig>& sampler, bool linear) {
+  return kConfig.features.gaussian && static_cast<Kernel>(sampler.kernel.raw()) == Kernel::kGaussian && linear;
+}
+
+// The weight of the farther texel at a fraction.
+template <Config kConfig>
+std::int64_t kernel_weight(std::int64_t fraction, bool gaussian) {
+  if (!gaussian) return fraction;
+  return static_cast<std::int64_t>(roms<kConfig>().gaussian.words[static_cast<std::size_t>(fraction)]);
+}
+
 template <Config kConfig>
 FilterBeat<kConfig> filter(const FetchBeat<kConfig>& fetch, const SamplerState<kConfig>& sampler) {
   FilterBeat<kConfig> beat;
@@ -28,26 +48,18 @@ FilterBeat<kConfig> filter(const FetchBeat<kConfig>& fetch, const SamplerState<k
   beat.first = fetch.first;
   beat.last = fetch.last;
   beat.weight = fetch.weight;
-  const bool gaussian = kConfig.features.gaussian && static_cast<Kernel>(sampler.kernel.raw()) == Kernel::kGaussian &&
-                        fetch.linear.raw() != 0;
-  const auto weight_of = [&](const auto& fraction) {
-    if (!gaussian) return fraction.raw();
-    return static_cast<std::int64_t>(roms<kConfig>().gaussian.words[static_cast<std::size_t>(fraction.raw())]);
-  };
+  const bool gaussian = takes_gaussian(sampler, fetch.linear.raw() != 0);
+  const auto weight_of = [&](const auto& fraction) { return kernel_weight<kConfig>(fraction.raw(), gaussian); };
   const std::int64_t fine_x = weight_of(fetch.fine_fraction_x);
   const std::int64_t fine_y = weight_of(fetch.fine_fraction_y);
   const std::int64_t coarse_x = weight_of(fetch.coarse_fraction_x);
   const std::int64_t coarse_y = weight_of(fetch.coarse_fraction_y);
-  constexpr int kSubtexel = kConfig.subtexel_bits;
-  const auto level_colour = [](std::int64_t t00, std::int64_t t10, std::int64_t t01, std::int64_t t11, std::int64_t x,
-                               std::int64_t y) {
-    return interpolate(interpolate(t00, t10, x, kSubtexel), interpolate(t01, t11, x, kSubtexel), y, kSubtexel);
-  };
   for (std::size_t c = 0; c < 4; ++c) {
-    const std::int64_t fine = level_colour(fetch.fine_00[c].raw(), fetch.fine_10[c].raw(), fetch.fine_01[c].raw(),
-                                           fetch.fine_11[c].raw(), fine_x, fine_y);
-    const std::int64_t coarse = level_colour(fetch.coarse_00[c].raw(), fetch.coarse_10[c].raw(),
-                                             fetch.coarse_01[c].raw(), fetch.coarse_11[c].raw(), coarse_x, coarse_y);
+    const std::int64_t fine = level_colour<kConfig>(fetch.fine_00[c].raw(), fetch.fine_10[c].raw(),
+                                                    fetch.fine_01[c].raw(), fetch.fine_11[c].raw(), fine_x, fine_y);
+    const std::int64_t coarse =
+        level_colour<kConfig>(fetch.coarse_00[c].raw(), fetch.coarse_10[c].raw(), fetch.coarse_01[c].raw(),
+                              fetch.coarse_11[c].raw(), coarse_x, coarse_y);
     beat.colour[c] =
         beat.colour[c].from_raw(interpolate(fine, coarse, fetch.level_fraction.raw(), kConfig.level_fraction_bits));
   }

@@ -11,7 +11,8 @@
 //        the unbounded footprint (127, 0), (0, 127), exponent 63. exponent > 63 saturates; exponent < -64 gives zeros
 //        at -64. -128 never occurs: negating a gradient negates its mantissas. Status: coordinate or derivative not
 //        finite; overflow where a clamp saturates a finite coordinate or exponent > 63 saturates; unsupported where the
-//        configuration's exponent is narrower than that and saturates, or has no place for a derivative that is not 0.
+//        configuration's exponent is narrower than that and saturates, or a coordinate saturates nearer than 2^19, or
+//        it has no place for a derivative that is not 0.
 // Source McCormack et al., WRL 99/1, 3.2 (group scaling); CS248A lecture 4, steps 2 and 4.
 #pragma once
 
@@ -23,9 +24,6 @@
 #include "tables/sampler_state.h"
 
 namespace feline {
-
-// A configuration may have a narrower one, outside which a lookup is unsupported.
-inline constexpr Format kFullExponent = Formats<kDefaultConfig>::kExponent;
 
 struct FloatParts {
   bool negative = false;
@@ -40,11 +38,10 @@ constexpr FloatParts float_parts(std::int64_t bits) {
   return {(bits >> 31) != 0, static_cast<int>((bits >> 23) & 255), bits & 0x7fffff};
 }
 
-// Whether a wrap mode saturates a coordinate, if it is a number.
-template <Config kConfig>
-constexpr bool saturates(const FloatParts& parts, Wrap wrap) {
+// Whether a wrap mode clamps a coordinate at 2^range_log2 or farther, if it is a number.
+constexpr bool reaches(const FloatParts& parts, Wrap wrap, int range_log2) {
   const bool clamps = wrap == Wrap::kClampToEdge || wrap == Wrap::kClampToBorder;
-  return clamps && parts.exponent >= 127 + Formats<kConfig>::kSaturationLog2;
+  return clamps && parts.exponent >= 127 + range_log2;
 }
 
 template <Config kConfig>
@@ -54,7 +51,7 @@ Fixed<Formats<kConfig>::kPosition> to_position(const FloatParts& parts, Wrap wra
   const bool is_nan = !parts.finite() && parts.fraction != 0;
   if (parts.exponent == 0 || is_nan) return Position{};
   constexpr std::int64_t kLimit = std::int64_t{1} << (F::kSaturationLog2 + F::kPositionFraction);
-  if (saturates<kConfig>(parts, wrap)) return Position::from_raw(parts.negative ? -kLimit : kLimit);
+  if (reaches(parts, wrap, F::kSaturationLog2)) return Position::from_raw(parts.negative ? -kLimit : kLimit);
   if (!parts.finite()) return Position{};
   // The significand's unit is 2^(exponent - 150).
   const int left = parts.exponent - 150 + F::kPositionFraction;
@@ -88,7 +85,12 @@ GroupBeat<kConfig> group(const RequestBeat<kConfig>& request, const SamplerState
   constexpr Features kFeatures = kConfig.features;
   constexpr std::array kPlaces{kFeatures.dudx, kFeatures.dvdx, kFeatures.dudy, kFeatures.dvdy};
   const bool finite = std::ranges::all_of(parts, [](const FloatParts& p) { return p.finite(); });
-  const bool overflows = (s.finite() && saturates<kConfig>(s, wrap_s)) || (t.finite() && saturates<kConfig>(t, wrap_t));
+  constexpr int kFullRange = std::max(F::kSaturationLog2, kFullRangeLog2);
+  const auto saturates_early = [](const FloatParts& parts, Wrap wrap) {
+    return reaches(parts, wrap, F::kSaturationLog2) && !reaches(parts, wrap, kFullRange);
+  };
+  const bool overflows =
+      (s.finite() && reaches(s, wrap_s, kFullRange)) || (t.finite() && reaches(t, wrap_t, kFullRange));
   bool missing = false;
   for (std::size_t i = 0; i < 4; ++i) {
     if (kPlaces[i]) continue;
@@ -97,10 +99,13 @@ GroupBeat<kConfig> group(const RequestBeat<kConfig>& request, const SamplerState
   }
   const auto raise = [&](std::int64_t status) { beat.status = beat.status.from_raw(beat.status.raw() | status); };
   raise((s.finite() && t.finite() ? 0 : kCoordinateNotFinite) | (finite ? 0 : kDerivativeNotFinite) |
-        (overflows ? kOverflow : 0) | unsupported_if(missing));
+        (overflows ? kOverflow : 0) |
+        unsupported_if(missing || saturates_early(s, wrap_s) || saturates_early(t, wrap_t)));
 
   constexpr std::int64_t kMax = F::kMantissa.max_raw();
-  constexpr bool kIsNarrow = F::kExponent.max_raw() < kFullExponent.max_raw();
+  // A configuration may have a narrower exponent, outside which a lookup is unsupported.
+  constexpr std::int64_t kFullMax = (std::int64_t{1} << kFullExponentBits) - 1;
+  constexpr bool kIsNarrow = F::kExponent.max_raw() < kFullMax;
   if (!finite) {
     raise(unsupported_if(kIsNarrow || !kFeatures.dudx || !kFeatures.dvdy));
     beat.exponent = beat.exponent.from_raw(F::kExponent.max_raw());
@@ -134,11 +139,11 @@ GroupBeat<kConfig> group(const RequestBeat<kConfig>& request, const SamplerState
     round_all();
   }
   if (exponent < F::kExponent.min_raw()) {
-    raise(unsupported_if(kIsNarrow && exponent >= kFullExponent.min_raw()));
+    raise(unsupported_if(kIsNarrow && exponent >= ~kFullMax));
     beat.exponent = beat.exponent.from_raw(F::kExponent.min_raw());
     return beat;
   }
-  if (exponent > kFullExponent.max_raw()) raise(kOverflow);
+  if (exponent > kFullMax) raise(kOverflow);
   raise(unsupported_if(kIsNarrow && exponent > F::kExponent.max_raw()));
   beat.exponent = beat.exponent.saturate(exponent);
   const auto mantissa = [&](std::size_t i) {

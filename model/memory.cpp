@@ -12,9 +12,8 @@ TextureMemory layout_texture(const Texture& texture) {
     const auto first = static_cast<std::int64_t>(memory.lines());
     memory.level_base.push_back(first);
     const int tiles_a_row = (level.width + kTileSide - 1) / kTileSide;
-    const int tile_rows = (level.height + kTileSide - 1) / kTileSide;
     memory.bytes.resize(memory.bytes.size() +
-                        static_cast<std::size_t>(tiles_a_row) * static_cast<std::size_t>(tile_rows) * kLineBytes);
+                        static_cast<std::size_t>(level_lines(level.width, level.height)) * kLineBytes);
     for (int y = 0; y < level.height; ++y) {
       for (int x = 0; x < level.width; ++x) {
         const auto line = static_cast<std::size_t>(first + std::int64_t{y / kTileSide} * tiles_a_row + x / kTileSide);

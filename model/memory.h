@@ -16,6 +16,11 @@ namespace feline {
 inline constexpr int kTileSide = 1 << kTileLog2;
 inline constexpr int kLineBytes = 4 * kTileSide * kTileSide;
 
+// The lines of a level of this size, in texels.
+constexpr std::int64_t level_lines(int width, int height) {
+  return std::int64_t{(width + kTileSide - 1) / kTileSide} * ((height + kTileSide - 1) / kTileSide);
+}
+
 struct TextureMemory {
   std::vector<std::uint8_t> bytes;
   std::vector<std::int64_t> level_base;  // first line of each level

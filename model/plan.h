@@ -158,8 +158,10 @@ Fixed<Formats<kConfig>::kHalfStep> to_half_step(std::int64_t vector, std::int64_
   return Fixed<F::kHalfStep>::from_raw(half_step);
 }
 
+// Where `skips_point`, the line of a single probe is not set up: its half steps are 0 without it, too.
 template <Config kConfig>
-PlanBeat<kConfig> plan(const FootprintBeat<kConfig>& footprint, const SamplerState<kConfig>& sampler) {
+PlanBeat<kConfig> plan(const FootprintBeat<kConfig>& footprint, const SamplerState<kConfig>& sampler,
+                       bool skips_point = false) {
   PlanBeat<kConfig> beat;
   constexpr Features kFeatures = kConfig.features;
   beat.tag = footprint.tag;
@@ -184,11 +186,13 @@ PlanBeat<kConfig> plan(const FootprintBeat<kConfig>& footprint, const SamplerSta
   constexpr std::int64_t kBelowHalf = (std::int64_t{1} << (kFraction - 1)) - 1;
   const std::int64_t level = nearest_level ? ((lambda + kBelowHalf) >> kFraction) << kFraction : lambda;
 
-  const std::int64_t factor = half_step_factor<kConfig>(footprint, mode, radii, fitted, probes);
-  beat.half_step_s = to_half_step<kConfig>(footprint.major_u.raw(), factor, sampler.width_reciprocal.raw(),
-                                           sampler.width_shift.raw(), exponent);
-  beat.half_step_t = to_half_step<kConfig>(footprint.major_v.raw(), factor, sampler.height_reciprocal.raw(),
-                                           sampler.height_shift.raw(), exponent);
+  if (probes > 1 || !skips_point) {
+    const std::int64_t factor = half_step_factor<kConfig>(footprint, mode, radii, fitted, probes);
+    beat.half_step_s = to_half_step<kConfig>(footprint.major_u.raw(), factor, sampler.width_reciprocal.raw(),
+                                             sampler.width_shift.raw(), exponent);
+    beat.half_step_t = to_half_step<kConfig>(footprint.major_v.raw(), factor, sampler.height_reciprocal.raw(),
+                                             sampler.height_shift.raw(), exponent);
+  }
   beat.probes = beat.probes.from_raw(probes);
   beat.weight_row = beat.weight_row.from_raw(choose_weight_row<kConfig>(radii, mode, probes));
   const std::int64_t last = sampler.last_level.raw() << kFraction;

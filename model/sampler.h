@@ -5,10 +5,10 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "model/memory.h"
 #include "tables/sampler_state.h"
-#include "tables/unit.h"
 
 namespace feline {
 
@@ -49,13 +49,25 @@ class SamplerError : public std::invalid_argument {
   std::string field, value, legal;
 };
 
+// What the driver knows of a texture without looking at its texels.
+struct TextureShape {
+  TexelFormat format = TexelFormat::kRgba8;
+  bool srgb = false;
+  int width = 0, height = 0;  // of level 0, in texels
+  int levels = 0;
+  std::vector<std::int64_t> level_base;  // the first memory line of each level
+};
+
 // The driver's work, once per texture and sampler. Factors, levels and border are rounded to nearest, ties away. The
 // border has the texture's channels only: others are 0, alpha 1, as those of its texels (OpenGL 4.6, 8.14.2).
 // Throws SamplerError on anything illegal, a mip chain of wrong sizes included.
 template <Config kConfig>
 SamplerState<kConfig> make_sampler(const SamplerOptions& options, const Texture& texture, const TextureMemory& memory);
+template <Config kConfig>
+SamplerState<kConfig> make_sampler(const SamplerOptions& options, const TextureShape& texture);
 
 extern template SamplerState<kDefaultConfig> make_sampler<kDefaultConfig>(const SamplerOptions&, const Texture&,
                                                                           const TextureMemory&);
+extern template SamplerState<kDefaultConfig> make_sampler<kDefaultConfig>(const SamplerOptions&, const TextureShape&);
 
 }  // namespace feline

@@ -24,6 +24,21 @@ Fixed<Formats<kConfig>::kPosition> probe_position(std::int64_t centre, std::int6
   return Fixed<Formats<kConfig>::kPosition>::from_raw(static_cast<std::int64_t>(wrapped) >> kSpare);
 }
 
+// The raw weight of the probe n half steps from the centre.
+template <Config kConfig>
+std::int64_t probe_weight(std::int64_t weight_row, std::int64_t n) {
+  const std::int64_t column = (std::abs(n) + 1) / 2;
+  const auto word = static_cast<std::size_t>(weight_row * Formats<kConfig>::kWeightColumns + column);
+  return static_cast<std::int64_t>(roms<kConfig>().weight.words[word]);
+}
+
+// The status, which may complain of the plan's weight row.
+template <Config kConfig>
+Fixed<Formats<kConfig>::kStatus> row_status(const PlanBeat<kConfig>& plan) {
+  const bool has_row = kConfig.weight_rows.has(static_cast<std::size_t>(plan.weight_row.raw()));
+  return Fixed<Formats<kConfig>::kStatus>::from_raw(plan.status.raw() | unsupported_if(!has_row));
+}
+
 template <Config kConfig>
 WalkBeat<kConfig> walk(const PlanBeat<kConfig>& plan, std::int64_t probe) {
   WalkBeat<kConfig> beat;
@@ -36,11 +51,8 @@ WalkBeat<kConfig> walk(const PlanBeat<kConfig>& plan, std::int64_t probe) {
   const std::int64_t n = 2 * probe - (plan.probes.raw() - 1);
   beat.s = probe_position<kConfig>(plan.s.raw(), plan.half_step_s.raw(), n);
   beat.t = probe_position<kConfig>(plan.t.raw(), plan.half_step_t.raw(), n);
-  const std::int64_t column = (std::abs(n) + 1) / 2;
-  const auto row = static_cast<std::size_t>(plan.weight_row.raw());
-  beat.status = beat.status.from_raw(plan.status.raw() | unsupported_if(!kConfig.weight_rows.has(row)));
-  const auto word = static_cast<std::size_t>(plan.weight_row.raw() * Formats<kConfig>::kWeightColumns + column);
-  beat.weight = beat.weight.from_raw(static_cast<std::int64_t>(roms<kConfig>().weight.words[word]));
+  beat.status = row_status<kConfig>(plan);
+  beat.weight = beat.weight.from_raw(probe_weight<kConfig>(plan.weight_row.raw(), n));
   return beat;
 }
 

@@ -98,7 +98,8 @@ module feline_accumulate (
   assign weighted_ready = beat_ready || !weighted_q.last;
 
   always_ff @(posedge clk_i) begin
-    if (weighted_valid && weighted_ready) sum_q <= sum_d;
+    // After the last probe the sum starts anew.
+    if (weighted_valid && !weighted_q.last) sum_q <= sum_d;
   end
 
   // Only texels can make one probe's status differ from another's.
@@ -112,7 +113,7 @@ module feline_accumulate (
     assign status = weighted_q.status | (status_q & {feline_pkg::StatusWidth{!weighted_q.first}});
 
     always_ff @(posedge clk_i) begin
-      if (weighted_valid && weighted_ready) status_q <= status;
+      if (weighted_valid && !weighted_q.last) status_q <= status;
     end
   end
 

@@ -101,13 +101,22 @@ module feline_blocking_cache #(
         kept_q[i] ? kept_word_q[i*WordWidth +: WordWidth] : read[i*WordWidth +: WordWidth];
   end
 
+  // What is present while another line is missing.
+  logic       waits;
+  logic [7:0] keep;
+
+  assign waits = texels_valid_i && missing != '0;
+  assign keep  = needed_i & present & ~kept_q & {8{waits}};
+
   always_ff @(posedge clk_i) begin
     if (rst_i || (texels_valid_i && texels_ready_o)) begin
       kept_q <= '0;
-    end else if (texels_valid_i && missing != '0) begin
-      kept_q <= kept_q | (needed_i & present);
+    end else begin
+      kept_q <= kept_q | keep;
     end
-    if (missing != '0) kept_word_q <= word_o;
+    for (int i = 0; i < 8; i++) begin
+      if (keep[i]) kept_word_q[i*WordWidth +: WordWidth] <= read[i*WordWidth +: WordWidth];
+    end
   end
 
   // The first texel whose line is missing.
@@ -142,12 +151,12 @@ module feline_blocking_cache #(
       state_q <= Look;
     end else begin
       unique case (state_q)
-        Look:    if (texels_valid_i && missing != '0) state_q <= Request;
+        Look:    if (waits) state_q <= Request;
         Request: if (memory_request_ready_i) state_q <= Respond;
         default: if (memory_response_valid_i) state_q <= Look;
       endcase
     end
-    if (state_q == Look) begin
+    if (state_q == Look && waits) begin
       line_q <= missing_line;
       set_q  <= missing_set;
       half_q <= odd_i ^ missing_coarse;

@@ -2,7 +2,8 @@
 // A float32 texture coordinate to fixed point (to_position of model/group.h).
 //
 // Takes  s or t, float32, normalized (1 = the texture's size); its wrap mode.
-// Gives  the coordinate S20.24 textures; whether it was finite; whether a clamp saturates it, though it was.
+// Gives  the coordinate S20.24 textures; whether it was finite; whether a clamp saturates it, though it was; whether it
+//        saturates earlier than the full unit's would.
 // Rounds nearest, ties away from zero.
 // Edges  Denormals are 0. |s| >= 2^19: the clamps saturate at 2^19, the repeats keep the value modulo 2^21. NaN is 0;
 //        infinity is +-2^19 (clamps) or 0 (repeats).
@@ -16,7 +17,8 @@ module feline_float_to_position #(
   input  wire logic [feline_pkg::WrapWidth-1:0]       wrap_i,
   output logic signed [feline_pkg::PositionWidth-1:0] position_o,
   output logic                                        finite_o,
-  output logic                                        overflow_o
+  output logic                                        overflow_o,
+  output logic                                        early_o
 );
   localparam int unsigned SignificandWidth = feline_pkg::Float32Width - ExponentBits;
   localparam int unsigned FractionBits     = SignificandWidth - 1;
@@ -24,6 +26,10 @@ module feline_float_to_position #(
   // The exponent at which the significand's unit is the position's last bit.
   localparam logic [ExponentBits-1:0] UnitExponent = ExponentBits'(Bias + FractionBits - feline_pkg::PositionFraction);
   localparam logic [ExponentBits-1:0] SaturationExponent = ExponentBits'(Bias + feline_pkg::SaturationLog2);
+  // The full unit's, if a smaller one saturates earlier.
+  localparam int unsigned FullSaturationLog2 =
+      feline_pkg::SaturationLog2 > feline_pkg::FullRangeLog2 ? feline_pkg::SaturationLog2 : feline_pkg::FullRangeLog2;
+  localparam logic [ExponentBits-1:0] FullExponent = ExponentBits'(Bias + FullSaturationLog2);
   localparam logic [feline_pkg::PositionWidth-1:0] Limit =
       feline_pkg::PositionWidth'(1) << (feline_pkg::SaturationLog2 + feline_pkg::PositionFraction);
 
@@ -34,6 +40,7 @@ module feline_float_to_position #(
   logic                                 clamps;
   logic                                 is_nan;
   logic                                 saturates;
+  logic                                 beyond_full;
   logic [ExponentBits-1:0]              left;
   logic [ExponentBits-1:0]              right_less_one;
   logic [SignificandWidth-1:0]          halves;
@@ -48,7 +55,9 @@ module feline_float_to_position #(
   assign is_nan      = !finite_o && fraction != '0;
   assign clamps      = wrap_i == feline_pkg::WrapClampToEdge || wrap_i == feline_pkg::WrapClampToBorder;
   assign saturates   = clamps && exponent >= SaturationExponent;
-  assign overflow_o  = saturates && finite_o;
+  assign beyond_full = clamps && exponent >= FullExponent;
+  assign overflow_o  = beyond_full && finite_o;
+  assign early_o     = saturates && !beyond_full;
 
   // Below UnitExponent the significand loses bits, all but the last in one shift; above, it gains zeros, and what
   // leaves the width, an infinity with it, is a multiple of 2^21.

@@ -11,7 +11,8 @@
 //        the unbounded footprint (127, 0), (0, 127), exponent 63. exponent > 63 saturates; exponent < -64 gives zeros
 //        at -64. -128 never occurs: negating a gradient negates its mantissas. Status: coordinate or derivative not
 //        finite; overflow where a clamp saturates a finite coordinate or exponent > 63 saturates; unsupported where the
-//        configuration's exponent is narrower than that and saturates, or has no place for a derivative that is not 0.
+//        configuration's exponent is narrower than that and saturates, or a coordinate saturates nearer than 2^19, or it
+//        has no place for a derivative that is not 0.
 // Source McCormack et al., WRL 99/1, 3.2 (group scaling); CS248A lecture 4, steps 2 and 4.
 // Timing two registers: products and their leading ones | align and round.
 `default_nettype none
@@ -62,6 +63,7 @@ module feline_group (
   logic                      t_overflow;
   logic [3:0]                finite;
   logic [3:0]                missing;
+  logic [1:0]                early;
   logic [4*Float32Width-1:0] derivatives;
   logic [4*SizeWidth-1:0]    sizes;
   logic [4*TopWidth-1:0]     tops;
@@ -71,18 +73,18 @@ module feline_group (
   assign products_d.coordinates_finite   = s_finite && t_finite;
   assign products_d.coordinates_overflow = s_overflow || t_overflow;
   assign products_d.finite               = finite == 4'hf;
-  assign products_d.missing              = missing != '0;
+  assign products_d.missing              = missing != '0 || early != '0;
 
   feline_supported_wrap u_wrap_s (.wrap_i(sampler_i.wrap_s), .wrap_o(wrap_s));
   feline_supported_wrap u_wrap_t (.wrap_i(sampler_i.wrap_t), .wrap_o(wrap_t));
 
   feline_float_to_position #(.ExponentBits(ExponentBits)) u_position_s (
     .bits_i(request_i.s), .wrap_i(wrap_s), .position_o(products_d.s), .finite_o(s_finite),
-    .overflow_o(s_overflow)
+    .overflow_o(s_overflow), .early_o(early[0])
   );
   feline_float_to_position #(.ExponentBits(ExponentBits)) u_position_t (
     .bits_i(request_i.t), .wrap_i(wrap_t), .position_o(products_d.t), .finite_o(t_finite),
-    .overflow_o(t_overflow)
+    .overflow_o(t_overflow), .early_o(early[1])
   );
 
   assign derivatives = {request_i.dtdy, request_i.dsdy, request_i.dtdx, request_i.dsdx};

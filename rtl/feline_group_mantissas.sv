@@ -36,7 +36,8 @@ module feline_group_mantissas #(
   localparam logic signed [SumWidth-1:0] MaxExponent = (SumWidth'(1) << (feline_pkg::ExponentWidth - 1)) - SumWidth'(1);
   localparam logic signed [SumWidth-1:0] MinExponent = ~MaxExponent;
   // A configuration may have a narrower exponent than a footprint needs.
-  localparam logic signed [SumWidth-1:0] FullMaxExponent = SumWidth'(63);
+  localparam logic signed [SumWidth-1:0] FullMaxExponent =
+      (SumWidth'(1) << feline_pkg::FullExponentBits) - SumWidth'(1);
   localparam logic signed [SumWidth-1:0] FullMinExponent = ~FullMaxExponent;
   localparam bit                         IsNarrow        = MaxExponent < FullMaxExponent;
   localparam logic [MantissaWidth-1:0]   MaxMantissa = {1'b0, {MagnitudeBits{1'b1}}};

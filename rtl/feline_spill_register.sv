@@ -38,8 +38,9 @@ module feline_spill_register #(
     end else if (valid_i) begin
       spilled_q <= 1'b1;
     end
-    if (moves) data_q <= spilled_q ? spilled_data_q : data_i;
-    if (!spilled_q) spilled_data_q <= data_i;
+    // Data moves with its beat only, so that nothing toggles for nothing.
+    if (moves && (spilled_q || valid_i)) data_q <= spilled_q ? spilled_data_q : data_i;
+    if (!moves && !spilled_q && valid_i) spilled_data_q <= data_i;
   end
 endmodule
 

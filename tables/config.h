@@ -83,6 +83,7 @@ struct Config {
   int max_size_log2 = 14;         // 4 .. 15: log2 of the largest width and height
   int guard_bits = 2;             // 0 .. 15, at most 19 - max_size_log2: position bits below a sub-texel of the
                                   // largest texture
+  int least_range_log2 = 0;       // 0 .. 19: clamped coordinates saturate at 2^this textures, or farther
   int channel_fraction_bits = 4;  // 2 .. 6: fraction of a texel channel, unit 1/255; sRGB decoding needs it
   int pixel_fraction_bits = 8;    // channel_fraction_bits .. 10: fraction of a result channel, unit 1/255
   int max_probes = 16;            // 1 .. 32: probes a pixel; a lookup that may and would take more is unsupported
@@ -90,9 +91,9 @@ struct Config {
   int tag_bits = 16;              // 1 .. 32: the requester's name of a lookup, carried through
   // Cells row * table_columns + column of the ellipse table, and rows of the weight table, that are there. A lookup
   // that needs another one is unsupported: a footprint of no size, a weight of 0.
-  WordMask<std::size_t{kMostTableSide} * kMostTableSide> table_cells;
-  WordMask<std::size_t{5} * kMostProbes> weight_rows;
-  Features features;
+  WordMask<std::size_t{kMostTableSide} * kMostTableSide> table_cells{};
+  WordMask<std::size_t{5} * kMostProbes> weight_rows{};
+  Features features{};
 
   constexpr bool operator==(const Config&) const = default;
 };
@@ -119,6 +120,7 @@ inline constexpr std::array kConfigFields{
     ConfigField{"size_reciprocal_bits", &Config::size_reciprocal_bits, 12, 17},
     ConfigField{"max_size_log2", &Config::max_size_log2, 4, 15},
     ConfigField{"guard_bits", &Config::guard_bits, 0, 15},
+    ConfigField{"least_range_log2", &Config::least_range_log2, 0, 19},
     ConfigField{"channel_fraction_bits", &Config::channel_fraction_bits, 2, 6},
     ConfigField{"pixel_fraction_bits", &Config::pixel_fraction_bits, 2, 10},
     ConfigField{"max_probes", &Config::max_probes, 1, Config::kMostProbes},
@@ -199,6 +201,7 @@ struct LegalConfig {
   static_assert(!faulty("size_reciprocal_bits"), "size_reciprocal_bits: legal is 12 to 17");
   static_assert(!faulty("max_size_log2"), "max_size_log2: legal is 4 to 15");
   static_assert(!faulty("guard_bits"), "guard_bits: legal is 0 to 19 - max_size_log2");
+  static_assert(!faulty("least_range_log2"), "least_range_log2: legal is 0 to 19");
   static_assert(!faulty("channel_fraction_bits"), "channel_fraction_bits: legal is 2 to 6");
   static_assert(!faulty("pixel_fraction_bits"), "pixel_fraction_bits: legal is channel_fraction_bits to 10");
   static_assert(!faulty("max_probes"), "max_probes: legal is 1 to 32");

@@ -135,6 +135,8 @@ std::string emit_package(const Config& config, const PackageParts& parts, std::u
   out += fmt::format("  localparam int unsigned GaussianRows = {};\n", formats.gaussian_rows);
   out += fmt::format("  localparam int unsigned TileLog2 = {};\n", kTileLog2);
   out += fmt::format("  localparam int unsigned SaturationLog2 = {};\n", formats.saturation_log2);
+  out += fmt::format("  localparam int unsigned FullRangeLog2 = {};\n", kFullRangeLog2);
+  out += fmt::format("  localparam int unsigned FullExponentBits = {};\n", kFullExponentBits);
   out += fmt::format("  localparam int unsigned EighthsWidth = {};\n", formats.eighths_width);
   out += fmt::format("  localparam int unsigned DividendWidth = {};\n", formats.dividend_width);
   out += "\n  // Widths and fraction bits of the formats.\n";

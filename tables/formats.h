@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "tables/config.h"
@@ -17,6 +18,11 @@ constexpr int bits_for(std::size_t count) {
 }
 constexpr int bits_for(int count) { return bits_for(static_cast<std::size_t>(count)); }
 
+// Of the full unit, from which a smaller one must not differ without a flag: bits of the group exponent, and where
+// clamped coordinates saturate, 2^19 textures.
+inline constexpr int kFullExponentBits = 6;
+inline constexpr int kFullRangeLog2 = 19;
+
 // A 4 x 4 tile of texels is one memory line.
 inline constexpr int kTileLog2 = 2;
 
@@ -28,7 +34,7 @@ struct FormatSet {
   // radius of at most 2^max_size_log2 texels and a major radius of at most (max_probes + 1)/2 * aliasFactor of it, and
   // aliasFactor <= 2; the texture may be one texel wide. Where no coordinate is clamped, positions count modulo 4 only.
   int reach_log2;
-  // Clamped coordinates saturate where no probe can come back into the texture.
+  // Clamped coordinates saturate where no probe can come back into the texture, or farther away if so configured.
   int saturation_log2;
   int position_fraction;
   // Inside plan: floor(8 major/minor), saturated where the weight row no longer changes, and twice the major radius
@@ -56,7 +62,7 @@ struct FormatSet {
         weight_rows(gaussian_rows + config.max_probes),
         weight_columns(config.max_probes / 2 + 1),
         reach_log2(config.features.clamp_to_edge || config.features.clamp_to_border ? size_bits + probe_bits : 0),
-        saturation_log2(reach_log2 + 1),
+        saturation_log2(std::max(reach_log2 + 1, config.least_range_log2)),
         position_fraction(size_bits + config.subtexel_bits + config.guard_bits),
         eighths_width(bits_for(4 * config.max_probes + 8)),
         dividend_width(magnitude_bits + 1 + kLengthFraction + 2),

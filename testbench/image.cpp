@@ -16,56 +16,19 @@
 namespace feline {
 namespace {
 
-TexelFormat format_of(int channels) {
-  if (channels == 1) return TexelFormat::kR8;
-  return channels == 2 ? TexelFormat::kRg8 : TexelFormat::kRgba8;
-}
-
-// The channels to read, 1 to 4.
-int check_channels(const std::filesystem::path& path, const OIIO::ImageSpec& spec) {
-  const auto& names = spec.channelnames;
-  const bool rgba_first =
-      spec.nchannels > 4 && names[0] == "R" && names[1] == "G" && names[2] == "B" && names[3] == "A";
-  if (spec.nchannels < 1 || (spec.nchannels > 4 && !rgba_first)) {
-    bad_input(path.string(), "channels", std::to_string(spec.nchannels), "1 to 4, or R, G, B, A and others");
-  }
-  return std::min(spec.nchannels, 4);
-}
-
 // The file's own levels; one for most formats.
 std::vector<MipLevel> read_levels(OIIO::ImageInput& input, const std::filesystem::path& path, int channels) {
   const int width = input.spec().width;
   const int height = input.spec().height;
   std::vector<MipLevel> levels;
-  for (int level = 0; input.seek_subimage(0, level); ++level) {
+  for (int level = 0; seek_level(input, path, width, height, level); ++level) {
     MipLevel read{input.spec().width, input.spec().height, {}};
-    if (read.width != mip_size(width, level) || read.height != mip_size(height, level)) {
-      bad_input(path.string(), fmt::format("level {}", level), fmt::format("{} x {}", read.width, read.height),
-                fmt::format("{} x {}", mip_size(width, level), mip_size(height, level)));
-    }
     read.texels.resize(static_cast<std::size_t>(read.width) * static_cast<std::size_t>(read.height) *
                        static_cast<std::size_t>(channels));
     read_pixels(input, path, level, channels, OIIO::TypeDesc::UINT8, read.texels.data());
     levels.push_back(std::move(read));
   }
   return levels;
-}
-
-// The rules of load_texture for a file and a format that differ in channels.
-MipLevel convert(const MipLevel& from, int from_channels, int to_channels) {
-  const auto from_count = static_cast<std::size_t>(from_channels);
-  const auto to_count = static_cast<std::size_t>(to_channels);
-  const std::size_t texels = from.texels.size() / from_count;
-  MipLevel to{from.width, from.height, {}};
-  to.texels.reserve(texels * to_count);
-  for (std::size_t texel = 0; texel < texels; ++texel) {
-    const std::uint8_t* source = &from.texels[texel * from_count];
-    for (std::size_t c = 0; c < to_count; ++c) {
-      const std::uint8_t missing = c == 3 ? 255 : from_count == 1 ? source[0] : 0;
-      to.texels.push_back(c < from_count ? source[c] : missing);
-    }
-  }
-  return to;
 }
 
 template <typename Value>
@@ -86,12 +49,12 @@ std::vector<std::byte> encode(const std::filesystem::path& path, int width, int 
 
 Texture load_texture(const std::filesystem::path& path, const ImageOptions& options) {
   const auto input = open_image(path);
-  const int file_channels = check_channels(path, input->spec());
+  const int file_channels = count_channels(path, input->spec());
   Texture texture{options.format.value_or(format_of(file_channels)), options.srgb,
                   read_levels(*input, path, file_channels)};
   const int channels = bytes_per_texel(texture.format);
   if (channels != file_channels) {
-    for (MipLevel& level : texture.levels) level = convert(level, file_channels, channels);
+    for (MipLevel& level : texture.levels) level = convert_channels(level, file_channels, channels);
   }
   if (texture.levels.size() == 1) {
     texture.levels = build_mip_chain(std::move(texture.levels.front()), channels, options.mip_filter, options.srgb,

@@ -20,6 +20,7 @@ package feline_pkg;
   localparam int unsigned SizeReciprocalBits = 15;
   localparam int unsigned MaxSizeLog2 = 14;
   localparam int unsigned GuardBits = 2;
+  localparam int unsigned LeastRangeLog2 = 0;
   localparam int unsigned ChannelFractionBits = 4;
   localparam int unsigned PixelFractionBits = 8;
   localparam int unsigned MaxProbes = 16;
@@ -58,6 +59,8 @@ package feline_pkg;
   localparam int unsigned GaussianRows = 61;
   localparam int unsigned TileLog2 = 2;
   localparam int unsigned SaturationLog2 = 19;
+  localparam int unsigned FullRangeLog2 = 19;
+  localparam int unsigned FullExponentBits = 6;
   localparam int unsigned EighthsWidth = 7;
   localparam int unsigned DividendWidth = 17;
 
@@ -325,7 +328,7 @@ package feline_pkg;
   } accumulate_t;
   localparam int unsigned AccumulateBeatWidth = 84;
 
-  localparam logic [63:0] Fingerprint = 64'h04ee1b84ff669ad3;
+  localparam logic [63:0] Fingerprint = 64'h4a65153ba73e72fd;
 endpackage
 // verilator lint_on UNUSEDPARAM
 

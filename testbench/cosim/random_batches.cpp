@@ -91,8 +91,8 @@ Texture random_texture(SplitMix64& random) {
   Texture texture;
   texture.format = static_cast<TexelFormat>(random.below(3));
   texture.srgb = random.below(2) != 0;
-  int width = random_side(random);
-  int height = random_side(random);
+  int width = std::min(random_side(random), kLargest);
+  int height = std::min(random_side(random), kLargest);
   switch (random.below(12)) {
     case 0: width = 1; break;
     case 1: height = 1; break;
@@ -107,7 +107,11 @@ Texture random_texture(SplitMix64& random) {
       break;
     default: break;
   }
-  constexpr int kLevels = Formats<kUnit>::kLevels;
+  if constexpr (!kUnit.features.any_size) {
+    width = static_cast<int>(std::bit_floor(static_cast<unsigned>(width)));
+    height = static_cast<int>(std::bit_floor(static_cast<unsigned>(height)));
+  }
+  constexpr int kLevels = kUnit.max_size_log2 + 1;
   const int levels = random.below(4) == 0 ? 1 + static_cast<int>(random.below(kLevels)) : kLevels;
   for (int k = 0; k < levels; ++k) {
     MipLevel level{std::max(width >> k, 1), std::max(height >> k, 1), {}};
@@ -125,7 +129,7 @@ T pick(SplitMix64& random, const std::vector<T>& from) {
   return from[random.below(static_cast<std::uint32_t>(from.size()))];
 }
 
-SamplerOptions random_sampler(SplitMix64& random, const RandomBatches::Choices& choices) {
+SamplerOptions random_sampler(SplitMix64& random, const SamplerChoices& choices) {
   constexpr Format kFactor = Formats<kUnit>::kFactor;
   constexpr double kLeastLength = kFactor.value(Formats<kUnit>::kLeastLengthFactor);
   SamplerOptions options;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "testbench/cosim/cosimulation.h"
+#include "testbench/cosim/sampler_choices.h"
 
 namespace feline {
 
@@ -10,15 +11,8 @@ namespace feline {
 // Textures: every format, sRGB, powers of two and not, 1 x 1, 1 x N, N x 1, up to 16384 wide; full and cut mip chains.
 class RandomBatches {
  public:
-  // The samplers that may be drawn; all by default.
-  struct Choices {
-    std::vector<Mode> modes{Mode::kNearest, Mode::kBilinear, Mode::kTrilinear, Mode::kExt, Mode::kSimple, Mode::kTable};
-    std::vector<Kernel> kernels{Kernel::kBilinear, Kernel::kGaussian};
-    std::vector<Wrap> wraps{Wrap::kRepeat, Wrap::kMirroredRepeat, Wrap::kClampToEdge, Wrap::kClampToBorder};
-  };
-
   RandomBatches(std::uint64_t seed, std::uint64_t batch_lookups) : seed_(seed), batch_lookups_(batch_lookups) {}
-  void set_choices(Choices choices) { choices_ = std::move(choices); }
+  void set_choices(SamplerChoices choices) { choices_ = std::move(choices); }
   // Valid until the next call. The last batch of `lookups` may be shorter.
   Batch make(std::uint64_t number, std::uint64_t lookups);
   const SamplerOptions& options() const { return options_; }
@@ -26,7 +20,7 @@ class RandomBatches {
  private:
   std::uint64_t seed_;
   std::uint64_t batch_lookups_;
-  Choices choices_;
+  SamplerChoices choices_;
   SamplerOptions options_;
   Texture texture_;
   TextureMemory memory_;

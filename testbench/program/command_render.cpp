@@ -22,6 +22,7 @@ struct RenderOptions {
   std::string engine = "model";
   std::string filter;
   std::string output = "picture.png";
+  bool no_shortcuts = false;
   bool map = false;
   bool json = false;
   std::string cosim_command;  // the same lookups, for a replay
@@ -65,6 +66,55 @@ nlohmann::ordered_json to_json(const Picture& picture) {
   nlohmann::ordered_json json{{"width", picture.width}, {"height", picture.height}, {"probes", probes}};
   for (std::size_t bit = 0; bit < raised.size(); ++bit) json["status"][std::string(kStatusNames[bit])] = raised[bit];
   return json;
+}
+
+// The model's picture, and what was left out of it.
+struct ModelRendering {
+  Picture picture;
+  ShortcutCounts counts;
+  Residency residency;
+};
+
+ModelRendering render_by_model(const RenderOptions& options, Subject& subject,
+                               const SamplerState<kDefaultConfig>& sampler) {
+  ModelRendering rendering;
+  if (subject.lazy) {
+    rendering.picture = render_shortcuts(subject.gbuffer, sampler, *subject.lazy, rendering.counts);
+    rendering.residency = subject.lazy->residency();
+    return rendering;
+  }
+  rendering.picture = options.no_shortcuts
+                          ? render_model(subject.gbuffer, sampler, subject.memory)
+                          : render_shortcuts(subject.gbuffer, sampler, subject.memory, rendering.counts);
+  const auto bytes = static_cast<std::int64_t>(subject.memory.bytes.size());
+  const auto levels = static_cast<std::int64_t>(subject.texture.levels.size());
+  rendering.residency = {0, 0, levels, levels, bytes, bytes};
+  return rendering;
+}
+
+nlohmann::ordered_json to_json(const ModelRendering& rendering) {
+  nlohmann::ordered_json json;
+  for (const ShortcutName& shortcut : kShortcutNames) {
+    json["left_out"][std::string(shortcut.name)] = rendering.counts.*shortcut.saved;
+  }
+  const Residency& residency = rendering.residency;
+  json["texture_memory"] = {{"file_tiles", residency.tiles}, {"of_file_tiles", residency.whole_tiles},
+                            {"levels", residency.levels},    {"of_levels", residency.whole_levels},
+                            {"bytes", residency.bytes},      {"of_bytes", residency.whole_bytes}};
+  return json;
+}
+
+std::string to_text(const ModelRendering& rendering) {
+  std::vector<std::string> parts;
+  for (const ShortcutName& shortcut : kShortcutNames) {
+    const std::int64_t saved = rendering.counts.*shortcut.saved;
+    if (saved != 0) parts.push_back(fmt::format("{} {}", saved, shortcut.unit));
+  }
+  const Residency& residency = rendering.residency;
+  return fmt::format(
+      "left out: {}\ntexture memory: {} of {} levels, {:.2f} % of {} bytes\n",
+      parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, ", ")), residency.levels, residency.whole_levels,
+      100 * static_cast<double>(residency.bytes) / static_cast<double>(residency.whole_bytes), residency.whole_bytes);
 }
 
 void tell_written(const RenderOptions& options, nlohmann::ordered_json json,
@@ -140,12 +190,21 @@ int run_render(const RenderOptions& options) {
   const bool rtl = parse_name("--engine", options.engine, kEngineNames) == 1;
   check_writable(options.output);
   const SamplerOptions choice = options.sampler.one();
-  const Subject subject = options.subject.load(mip_edge(choice));
-  const auto sampler = prepare_sampler(choice, subject.texture, subject.memory);
+  if (rtl && options.no_shortcuts) {
+    bad_input("command line", "--no-shortcuts", "given", "nothing together with --engine rtl");
+  }
+  Subject subject = rtl || options.no_shortcuts ? options.subject.load(mip_edge(choice))
+                                                : options.subject.load_lazily(mip_edge(choice));
+  const auto sampler = prepare_sampler(choice, subject);
   bool holds = true;
-  const Picture picture = rtl ? render_rtl(subject, choice, options.cosim_command, holds)
-                              : render_model(subject.gbuffer, sampler, subject.memory);
+  ModelRendering rendering;
+  if (rtl) {
+    rendering.picture = render_rtl(subject, choice, options.cosim_command, holds);
+  } else {
+    rendering = render_by_model(options, subject, sampler);
+  }
   if (!holds) return kBroken;
+  const Picture& picture = rendering.picture;
   const std::filesystem::path path = options.output;
   std::vector<std::filesystem::path> written{path};
   OutputFiles outputs;
@@ -160,7 +219,9 @@ int run_render(const RenderOptions& options) {
   json["scene"] = subject.name;
   json["mode"] = kModeNames[static_cast<std::size_t>(choice.mode)];
   json["engine"] = options.engine;
+  if (!rtl) json.update(to_json(rendering));
   tell_written(options, std::move(json), written);
+  if (!rtl && !options.json) fmt::print("{}", to_text(rendering));
   return kHolds;
 }
 
@@ -176,12 +237,18 @@ void add_render(CLI::App& program, int& exit_code, const std::vector<std::string
     options->cosim_command = repeat_command(as_cosim, {kOptions, kFlags});
   }
   CLI::App* command = program.add_subcommand("render", "makes a picture of a G-buffer and a texture");
-  command->footer("Example: feline render --scene window --mode table --size 512 --output window.png --map");
+  command->footer(
+      "The model leaves out what a lookup does not need, and loads of a texture file with tiles and MIP levels of its\n"
+      "own (maketx makes one) only what is touched; any other file is loaded whole. Neither changes a bit.\n"
+      "Example: feline render --scene window --mode table --size 512 --output window.png --map");
   options->subject.add_to(*command, true);
   options->sampler.add_to(*command, false);
   auto* const engine = command->add_option("--engine", options->engine, "model or rtl")->capture_default_str();
+  auto* const plain = command->add_flag("--no-shortcuts", options->no_shortcuts,
+                                        "every stage of every probe, and the whole texture: the same picture, slower");
   command->add_option("--filter", options->filter, "in floating point, instead of the unit: " + filter_names())
-      ->excludes(engine);
+      ->excludes(engine)
+      ->excludes(plain);
   command->add_option("--output", options->output, "PNG to write")->capture_default_str();
   command->add_flag("--map", options->map, "write maps of probes and levels beside it");
   command->add_flag("--json", options->json, "tell what was written, and figures, as JSON");

@@ -40,6 +40,8 @@ int run(const std::vector<std::string>& arguments, int argc, char** argv) {
   feline::add_figure(program, exit_code);
   feline::add_stability(program, exit_code);
   feline::add_area(program, exit_code);
+  feline::add_activity(program, exit_code);
+  feline::add_shortcuts(program, exit_code);
   feline::add_prune(program, exit_code, arguments);
   feline::add_profile(program, exit_code);
   feline::add_budget(program, exit_code);

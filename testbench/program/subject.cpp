@@ -25,6 +25,19 @@ int parse_side(const std::string& option, const std::string& text, std::string_v
   return value;
 }
 
+const Scene& scene_of(const std::string& name) {
+  return find_scene(name.empty() ? scenes().front().name : std::string_view(name));
+}
+
+template <typename Make>
+SamplerState<kDefaultConfig> without_sampler_error(Make make) {
+  try {
+    return make();
+  } catch (const SamplerError& error) {
+    bad_input("sampler", error.field, error.value, error.legal);
+  }
+}
+
 // Choices of an enumeration: a list, or all of it.
 template <typename Choice>
 std::vector<Choice> parse_list(const std::string& option, const std::string& text, bool lists,
@@ -72,7 +85,7 @@ void SubjectOptions::add_to(CLI::App& command, bool with_scene) {
   options_.insert(options_.end(), texture_parts_.begin(), texture_parts_.end());
 }
 
-Texture SubjectOptions::load_texture_only(MipEdge edge) const {
+ImageOptions SubjectOptions::image_options(MipEdge edge) const {
   ImageOptions options;
   options.srgb = srgb;
   options.mip_filter = static_cast<MipFilter>(parse_name("--mip-filter", mip_filter, kMipFilterNames));
@@ -80,8 +93,10 @@ Texture SubjectOptions::load_texture_only(MipEdge edge) const {
   if (!format.empty()) {
     options.format = static_cast<TexelFormat>(parse_name("--texture-format", format, kTexelFormatNames));
   }
-  return load_texture(texture, options);
+  return options;
 }
+
+Texture SubjectOptions::load_texture_only(MipEdge edge) const { return load_texture(texture, image_options(edge)); }
 
 void SubjectOptions::check_texture_only() const {
   refuse_given(view_, "together with --derivatives");
@@ -95,7 +110,7 @@ void SubjectOptions::check_texture_only() const {
 
 void SubjectOptions::check_random() const { refuse_given(options_, "together with --random"); }
 
-Subject SubjectOptions::load(const std::string& scene_name, MipEdge edge) const {
+Subject SubjectOptions::load_view(const std::string& scene_name) const {
   if (texture.empty() && !gbuffer.empty() && scene_name.empty()) {
     bad_input("command line", "--texture", "nothing", "an image for the G-buffer, or --scene for a built-in texture");
   }
@@ -105,7 +120,7 @@ Subject SubjectOptions::load(const std::string& scene_name, MipEdge edge) const 
   if (texture.empty()) refuse_given(texture_parts_, "without --texture");
   if (!gbuffer.empty()) refuse_given(std::array{size_}, "together with --gbuffer, which has its own");
   Subject subject;
-  const Scene& built_in = find_scene(scene_name.empty() ? scenes().front().name : std::string_view(scene_name));
+  const Scene& built_in = scene_of(scene_name);
   if (gbuffer.empty()) {
     const Size pixels = parse_size("--size", size);
     subject.gbuffer = make_gbuffer(built_in, pixels.width, pixels.height);
@@ -117,13 +132,29 @@ Subject SubjectOptions::load(const std::string& scene_name, MipEdge edge) const 
     subject.name = std::filesystem::path(gbuffer).stem().string();
     if (texture.empty()) subject.name += "+" + scene_name;
   }
+  return subject;
+}
+
+void SubjectOptions::load_whole_texture(Subject& subject, const std::string& scene_name, MipEdge edge) const {
   if (texture.empty()) {
     const auto filter = static_cast<MipFilter>(parse_name("--mip-filter", mip_filter, kMipFilterNames));
-    subject.texture = built_in.texture(filter, edge);
+    subject.texture = scene_of(scene_name).texture(filter, edge);
   } else {
     subject.texture = load_texture_only(edge);
   }
   subject.memory = layout_texture(subject.texture);
+}
+
+Subject SubjectOptions::load(const std::string& scene_name, MipEdge edge) const {
+  Subject subject = load_view(scene_name);
+  load_whole_texture(subject, scene_name, edge);
+  return subject;
+}
+
+Subject SubjectOptions::load_lazily(MipEdge edge) const {
+  Subject subject = load_view(scene);
+  if (!texture.empty()) subject.lazy = LazyTexture::open(texture, image_options(edge));
+  if (!subject.lazy) load_whole_texture(subject, scene, edge);
   return subject;
 }
 
@@ -217,9 +248,9 @@ void SamplerChoice::check_filter() const {
   refuse_given(of_unit_, "together with --filter");
 }
 
-RandomBatches::Choices SamplerChoice::random_choices() const {
+SamplerChoices SamplerChoice::random_choices() const {
   refuse_given(others_, "together with --random");
-  RandomBatches::Choices choices;
+  SamplerChoices choices;
   if (mode_->count() != 0) choices.modes = parse_list<Mode>("--mode", modes, lists_, kModeNames);
   if (kernel_->count() != 0) choices.kernels = parse_list<Kernel>("--kernel", kernels, lists_, kKernelNames);
   if (wrap_->count() != 0) choices.wraps = parse_list<Wrap>("--wrap", wraps, lists_, kWrapNames);
@@ -233,11 +264,12 @@ std::string wrap_name(const SamplerOptions& choice) {
 
 SamplerState<kDefaultConfig> prepare_sampler(const SamplerOptions& options, const Texture& texture,
                                              const TextureMemory& memory) {
-  try {
-    return make_sampler<kDefaultConfig>(options, texture, memory);
-  } catch (const SamplerError& error) {
-    bad_input("sampler", error.field, error.value, error.legal);
-  }
+  return without_sampler_error([&] { return make_sampler<kDefaultConfig>(options, texture, memory); });
+}
+
+SamplerState<kDefaultConfig> prepare_sampler(const SamplerOptions& options, const Subject& subject) {
+  if (!subject.lazy) return prepare_sampler(options, subject.texture, subject.memory);
+  return without_sampler_error([&] { return make_sampler<kDefaultConfig>(options, subject.lazy->shape()); });
 }
 
 }  // namespace feline

@@ -2,15 +2,17 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "model/memory.h"
 #include "model/sampler.h"
-#include "testbench/cosim/random_batches.h"
+#include "testbench/cosim/sampler_choices.h"
 #include "testbench/gbuffer.h"
 #include "testbench/image.h"
+#include "testbench/lazy_texture.h"
 
 namespace feline {
 
@@ -20,6 +22,7 @@ struct Subject {
   GBuffer gbuffer;
   Texture texture;
   TextureMemory memory;
+  std::unique_ptr<LazyTexture> lazy;  // instead of texture and memory, from load_lazily only
 };
 
 // The command line's part of it: a built-in scene, a user's own files, or one of each.
@@ -40,12 +43,19 @@ struct SubjectOptions {
   // What lies beyond an edge while mip levels are made is as the sampler wraps.
   Subject load(const std::string& scene_name, MipEdge edge) const;
   Subject load(MipEdge edge) const { return load(scene, edge); }
+  // As load, but a texture file with tiles and MIP levels of its own is loaded as it is touched.
+  Subject load_lazily(MipEdge edge) const;
   // Of all this only --texture and its options; --size is then the texture's own.
   Texture load_texture_only(MipEdge edge) const;
   // Throws InputError when anything but the texture and its options was chosen.
   void check_texture_only() const;
 
  private:
+  // The subject without its texture.
+  Subject load_view(const std::string& scene_name) const;
+  void load_whole_texture(Subject& subject, const std::string& scene_name, MipEdge edge) const;
+  ImageOptions image_options(MipEdge edge) const;
+
   const CLI::Option* size_ = nullptr;
   const CLI::Option* filter_ = nullptr;
   std::vector<const CLI::Option*> view_;           // of the lookups
@@ -84,7 +94,7 @@ struct SamplerChoice {
   void check_filter() const;
   // For random samplers: of modes, kernels and wraps what was asked for, and of what was not, everything. Throws
   // InputError when anything else was chosen.
-  RandomBatches::Choices random_choices() const;
+  SamplerChoices random_choices() const;
   std::string modes_of_random() const { return mode_->count() != 0 ? modes : "random"; }
   std::string kernels_of_random() const { return kernel_->count() != 0 ? kernels : "random"; }
   std::string wraps_of_random() const { return wrap_->count() != 0 ? wraps : "random"; }
@@ -112,5 +122,6 @@ std::string scene_names();
 // make_sampler with its complaint turned into an InputError.
 SamplerState<kDefaultConfig> prepare_sampler(const SamplerOptions& options, const Texture& texture,
                                              const TextureMemory& memory);
+SamplerState<kDefaultConfig> prepare_sampler(const SamplerOptions& options, const Subject& subject);
 
 }  // namespace feline

@@ -105,13 +105,12 @@ Config pruned_config(const Profile& profile, const Config& full) {
   const std::int64_t side = std::max(greatest(profile, Reach::kWidth), greatest(profile, Reach::kHeight));
   constexpr int kLeastSizeLog2 = 4;
   set_max_size(config, std::clamp(bit_length(side - 1), kLeastSizeLog2, full.max_size_log2));
-  // A clamp that saturates nearer to the texture raises no other flag than the full unit's.
-  const std::int64_t bits =
-      std::max(greatest(profile, Reach::kPositionBitsS), greatest(profile, Reach::kPositionBitsT));
-  const bool clamps = config.features.clamp_to_edge || config.features.clamp_to_border;
-  while (clamps && config.max_size_log2 < full.max_size_log2 &&
-         bits > FormatSet(config).saturation_log2 + FormatSet(full).position_fraction) {
-    set_max_size(config, config.max_size_log2 + 1);
+  // What does not saturate in the full unit must not in this one.
+  if (config.features.clamp_to_edge || config.features.clamp_to_border) {
+    const std::int64_t bits =
+        std::max(greatest(profile, Reach::kPositionBitsS), greatest(profile, Reach::kPositionBitsT));
+    config.least_range_log2 =
+        static_cast<int>(std::clamp<std::int64_t>(bits - F::kPositionFraction, 0, F::kSaturationLog2));
   }
   config.table_cells = decltype(config.table_cells)::none();
   for (const auto& [cell, count] : profile[Reach::kCell]) config.table_cells.add(static_cast<std::size_t>(cell));
@@ -127,6 +126,8 @@ bool is_within(const Config& needed, const Config& available) {
       needed.max_levels > available.max_levels || needed.max_size_log2 > available.max_size_log2) {
     return false;
   }
+  const bool clamps = needed.features.clamp_to_edge || needed.features.clamp_to_border;
+  if (clamps && needed.least_range_log2 > FormatSet(available).saturation_log2) return false;
   for (std::size_t i = 0; i < needed.table_cells.bits.size(); ++i) {
     if ((needed.table_cells.bits[i] & ~available.table_cells.bits[i]) != 0) return false;
   }

@@ -34,8 +34,8 @@ void expect_refused(const TempDir& dir, const std::string& arguments, const std:
 std::string path(const TempDir& dir, const char* name) { return (dir / name).string(); }
 
 TEST(program, help_shows_an_example) {
-  for (const char* const command :
-       {"tables", "scene", "render", "explain", "vectors", "cosim", "report", "figure", "stability", "profile"}) {
+  for (const char* const command : {"tables", "scene", "render", "explain", "vectors", "cosim", "report", "figure",
+                                    "stability", "profile", "prune", "shortcuts"}) {
     const Outcome outcome = run(std::string(command) + " --help");
     EXPECT_EQ(outcome.code, 0);
     EXPECT_NE(outcome.text.find("Example: feline " + std::string(command)), std::string::npos) << outcome.text;
@@ -96,6 +96,9 @@ TEST(program, choices_that_contradict_each_other) {
   expect_refused(dir, "render --srgb" + output, {"--srgb", "--texture"});
   expect_refused(dir, "render --gbuffer a.exr --size 8 --texture a.png" + output, {"--size", "--gbuffer"});
   expect_refused(dir, "render --gbuffer a.exr --scene bricks --texture a.png" + output, {"--scene", "--gbuffer"});
+  expect_refused(dir, "render --no-shortcuts --engine rtl" + output, {"--no-shortcuts", "--engine rtl"});
+  expect_refused(dir, "render --no-shortcuts --filter ewa" + output, {"--no-shortcuts", "--filter"});
+  expect_refused(dir, "shortcuts --runs 0", {"--runs", "0", "1 to 1000"});
   expect_refused(dir, "cosim --mode table,table", {"--mode", "table,table", "each once"});
   expect_refused(dir, "cosim --scene bricks,", {"--scene", "bricks,"});
   expect_refused(dir, "render --texture ''" + output, {"--texture", "an empty value"});
@@ -134,6 +137,12 @@ TEST(program, every_command_tells_json) {
   const auto rendered = json("render --size 8 --map --output " + path(dir, "a.png"));
   EXPECT_TRUE(fs::exists(rendered["probe_map"].get<std::string>()));
   EXPECT_EQ(rendered["status"]["overflow"], 0);
+  EXPECT_GT(rendered["left_out"]["decoded_codes"], 0);
+  EXPECT_EQ(rendered["texture_memory"]["bytes"], rendered["texture_memory"]["of_bytes"]);
+  const auto shortcuts = json("shortcuts --size 8 --runs 1");
+  EXPECT_EQ(shortcuts["same_bits"], true);
+  EXPECT_EQ(shortcuts["rows"].size(), 9u);
+  EXPECT_EQ(shortcuts["rows"].back()["name"], "all");
   const auto vectors = json("vectors --stage plan --random 5 --output " + path(dir, ""));
   EXPECT_EQ(vectors["files"].size(), 3U);
   EXPECT_EQ(json("tables")["roms"].size(), 6U);

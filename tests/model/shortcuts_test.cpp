@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every shortcut, alone and together, changes no bit of any plan and pixel; what each counts is known by hand.
+#include "model/shortcuts.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "model/sampler.h"
+#include "tables/pack.h"
+#include "tests/support/describe.h"
+#include "tests/support/lookups.h"
+#include "tests/support/samplers.h"
+
+namespace feline {
+namespace {
+
+// None, each alone, all but each, all.
+std::vector<Shortcuts> choices() {
+  std::vector<Shortcuts> all{kNoShortcuts, Shortcuts{}};
+  for (const ShortcutName& shortcut : kShortcutNames) {
+    all.push_back(kNoShortcuts);
+    all.back().*shortcut.is_on = true;
+    all.emplace_back();
+    all.back().*shortcut.is_on = false;
+  }
+  return all;
+}
+
+std::string name_of(const Shortcuts& shortcuts) {
+  std::string names;
+  for (const ShortcutName& shortcut : kShortcutNames) {
+    if (shortcuts.*shortcut.is_on) names += std::string(shortcut.name) + " ";
+  }
+  return names.empty() ? "no shortcut" : names;
+}
+
+// The raw values of a state in another configuration, whose formats are at least as wide.
+template <Config kConfig>
+SamplerState<kConfig> converted(const State& from) {
+  SamplerState<kConfig> to;
+  const auto copy = [&](const auto& source, auto& target) {
+    using Target = std::remove_reference_t<decltype(target)>;
+    if constexpr (requires { target.raw(); }) {
+      target = Target::from_raw(source.raw());
+    } else {
+      for (std::size_t i = 0; i < source.size(); ++i) target[i] = Target::value_type::from_raw(source[i].raw());
+    }
+  };
+  std::apply(
+      [&](const auto&... source) {
+        std::apply([&](const auto&... target) { (copy(from.*source.member, to.*target.member), ...); },
+                   SamplerState<kConfig>::fields());
+      },
+      State::fields());
+  return to;
+}
+
+// One lookup's plan and pixel, stage by stage and by a unit with shortcuts.
+template <Config kConfig, LineSource Lines>
+void expect_same(const Lookup& lookup, const SamplerState<kConfig>& state, const TextureMemory& memory,
+                 ShortcutUnit<kConfig, Lines>& unit) {
+  const auto request = make_request<kConfig>(lookup, 1234);
+  std::optional<PlanBeat<kConfig>> plan, shortcut_plan;
+  const auto pixel = sample<kConfig>(request, state, memory, [&]<typename Beat>(const Beat& beat) {
+    if constexpr (std::is_same_v<Beat, PlanBeat<kConfig>>) plan = beat;
+  });
+  const auto shortcut_pixel = unit.sample(request, [&](const PlanBeat<kConfig>& beat) { shortcut_plan = beat; });
+  ASSERT_TRUE(same(pixel, shortcut_pixel));
+  ASSERT_TRUE(same(*plan, *shortcut_plan));
+}
+
+template <Config kConfig>
+void expect_same_for_random(std::string_view name, int samplers) {
+  SeedTrace trace(__FILE__, __LINE__);
+  Random random = random_for(name);
+  const std::vector<Shortcuts> all = choices();
+  for (const Content content : {Content::kNoise, Content::kExtremes}) {
+    for (const Scene& scene : make_scenes(random, content)) {
+      for (int i = 0; i < samplers; ++i) {
+        const SamplerOptions options = random_options(random);
+        const auto state = converted<kConfig>(make_sampler<kDefaultConfig>(options, scene.texture, scene.memory));
+        for (const Shortcuts& shortcuts : all) {
+          ShortcutUnit<kConfig, const TextureMemory> unit(state, scene.memory, shortcuts);
+          for (int lookups = 0; lookups < 5; ++lookups) {
+            const MipLevel& base = scene.texture.levels.front();
+            const Lookup lookup = any_lookup(random, base.width, base.height);
+            expect_same<kConfig>(lookup, state, scene.memory, unit);
+            if (testing::Test::HasFatalFailure()) {
+              FAIL() << name_of(shortcuts) << one_line(lookup) << " " << one_line(state);
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(shortcuts, change_no_bit) { expect_same_for_random<kDefaultConfig>("shortcuts.default", 40); }
+
+TEST(shortcuts, change_no_bit_in_the_widest_formats) {
+  constexpr Config kWidest = [] {
+    Config config;
+    config.subtexel_bits = config.weight_bits = 10;
+    config.channel_fraction_bits = 6;
+    config.max_probes = 32;
+    return config;
+  }();
+  expect_same_for_random<kWidest>("shortcuts.widest", 10);
+}
+
+TEST(shortcuts, change_no_bit_without_features) {
+  constexpr Config kPlain = [] {
+    Config config;
+    Features& f = config.features;
+    f.ext = f.simple_feline = f.table_feline = f.gaussian = f.srgb = f.mirrored_repeat = f.clamp_to_border = false;
+    return config;
+  }();
+  expect_same_for_random<kPlain>("shortcuts.plain", 10);
+}
+
+// A plain level of detail and a texel's centre, an 8 x 8 texture, one texel a pixel unless said.
+struct Known {
+  std::string name;
+  TexelFormat format = TexelFormat::kRgba8;
+  SamplerOptions options = plain_options(Mode::kSimple);
+  Lookup lookup{2.5F / 8, 4.5F / 8, 1.0F / 8, 0, 0, 1.0F / 8};
+  ShortcutCounts counts{};
+};
+
+TEST(shortcuts, count_what_they_leave_out) {
+  const auto counts = [](std::int64_t probes, std::int64_t levels, std::int64_t points, std::int64_t texels,
+                         std::int64_t channels, std::int64_t decodings) {
+    return ShortcutCounts{1, probes, levels, 0, points, texels, channels, decodings};
+  };
+  std::vector<Known> cases(1, {"a texel's centre at level 0"});
+  cases.back().counts = counts(1, 1, 1, 3, 0, 1);
+  cases.push_back({"between two columns"});
+  cases.back().lookup.s = 2.75F / 8;
+  cases.back().counts = counts(1, 1, 1, 2, 0, 2);
+  cases.push_back({"between two rows"});
+  cases.back().lookup.t = 4.25F / 8;
+  cases.back().counts = counts(1, 1, 1, 2, 0, 2);
+  cases.push_back({"between four texels"});
+  cases.back().lookup.s = cases.back().lookup.t = 2.75F / 8;
+  cases.back().counts = counts(1, 1, 1, 0, 0, 4);
+  cases.push_back({"one channel"});
+  cases.back().format = TexelFormat::kR8;
+  cases.back().counts = counts(1, 1, 1, 3, 3, 1);
+  cases.push_back({"two channels, two levels: the coarse one is between four texels"});
+  cases.back().format = TexelFormat::kRg8;
+  cases.back().options.level_bias = 0.5;
+  cases.back().counts = counts(1, 0, 1, 3, 4, 5);
+  cases.push_back({"nearest: one texel wherever it lies"});
+  cases.back().options.mode = Mode::kNearest;
+  cases.back().options.magnify = Magnify::kNearest;
+  cases.back().lookup.s = 2.9F / 8;
+  cases.back().counts = counts(1, 1, 1, 3, 0, 1);
+  cases.push_back({"a border: no texel is decoded"});
+  cases.back().options.wrap_s = cases.back().options.wrap_t = Wrap::kClampToBorder;
+  cases.back().lookup.s = cases.back().lookup.t = -5.5F / 8;
+  cases.back().counts = counts(1, 1, 1, 3, 0, 0);
+  // 2 major/minor - 1 probes, at level 0 as the minor radius is one texel, centres a texel apart.
+  cases.push_back({"three probes in a row of texels"});
+  cases.back().lookup.dsdx = 2.0F / 8;
+  cases.back().counts = counts(3, 3, 0, 9, 0, 3);
+  for (const Known& known : cases) {
+    SCOPED_TRACE(known.name);
+    Random random(5);
+    const Scene scene = make_scene(random, 8, 8, known.format, false, Content::kNoise);
+    const State state = make_sampler<kDefaultConfig>(known.options, scene.texture, scene.memory);
+    ShortcutUnit<kDefaultConfig, const TextureMemory> unit(state, scene.memory);
+    expect_same<kDefaultConfig>(known.lookup, state, scene.memory, unit);
+    EXPECT_EQ(unit.counts().lookups, 1);
+    EXPECT_EQ(unit.counts().probes, known.counts.probes);
+    for (const ShortcutName& shortcut : kShortcutNames) {
+      EXPECT_EQ(unit.counts().*shortcut.saved, known.counts.*shortcut.saved) << shortcut.name;
+    }
+    ShortcutUnit<kDefaultConfig, const TextureMemory> none(state, scene.memory, kNoShortcuts);
+    expect_same<kDefaultConfig>(known.lookup, state, scene.memory, none);
+    for (const ShortcutName& shortcut : kShortcutNames) EXPECT_EQ(none.counts().*shortcut.saved, 0) << shortcut.name;
+  }
+}
+
+// Weights are rounded so that none vanishes, in any legal configuration: the shortcut is for tables of one's own.
+TEST(shortcuts, no_weight_table_has_a_probe_of_weight_0) {
+  for (int bits = 6; bits <= 10; ++bits) {
+    for (int most = 2; most <= 32; ++most) {
+      Config config;
+      config.weight_bits = bits;
+      config.max_probes = most;
+      const Rom rom = weight_rom(config);
+      const auto columns = static_cast<std::size_t>(most / 2 + 1);
+      for (int probes = 2; probes <= most; ++probes) {
+        for (int row = 4 * probes - 7; row <= 4 * probes - 4; ++row) {
+          for (int n = 1 - probes; n < probes; n += 2) {
+            const auto column = static_cast<std::size_t>((std::abs(n) + 1) / 2);
+            ASSERT_NE(rom.words[static_cast<std::size_t>(row) * columns + column], 0u)
+                << bits << " bits, at most " << most << " probes, row " << row << ", column " << column;
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(shortcuts, probes_of_weight_0_are_left_out) {
+  // A configuration of its own, for its table is spoilt: of three probes the outer ones weigh nothing.
+  constexpr Config kOwn = [] {
+    Config config;
+    config.tag_bits = 15;
+    return config;
+  }();
+  for (std::size_t row = 5; row <= 8; ++row) {
+    constexpr auto kColumns = static_cast<std::size_t>(Formats<kOwn>::kWeightColumns);
+    auto& words = const_cast<std::vector<std::uint64_t>&>(roms<kOwn>().weight.words);
+    words[row * kColumns] = 256;
+    words[row * kColumns + 1] = 0;
+  }
+  Random random(6);
+  const Scene scene = make_scene(random, 8, 8, TexelFormat::kRgba8, false, Content::kNoise);
+  const auto state =
+      converted<kOwn>(make_sampler<kDefaultConfig>(plain_options(Mode::kSimple), scene.texture, scene.memory));
+  ShortcutUnit<kOwn, const TextureMemory> unit(state, scene.memory);
+  expect_same<kOwn>({2.5F / 8, 4.5F / 8, 2.0F / 8, 0, 0, 1.0F / 8}, state, scene.memory, unit);
+  EXPECT_EQ(unit.counts().probes, 3);
+  EXPECT_EQ(unit.counts().weightless_probes, 2);
+  EXPECT_EQ(unit.counts().decoded_codes, 1);
+}
+
+// A driver of one's own may give a border channels that the texels lack: they are then filtered.
+TEST(shortcuts, border_with_other_channels_than_the_texels) {
+  Random random(7);
+  const Scene scene = make_scene(random, 8, 8, TexelFormat::kR8, false, Content::kNoise);
+  SamplerOptions options = plain_options(Mode::kTable);
+  options.wrap_s = Wrap::kClampToBorder;
+  State state = make_sampler<kDefaultConfig>(options, scene.texture, scene.memory);
+  state.border[1] = state.border[1].from_raw(77 * 16);
+  state.border[3] = state.border[3].from_raw(0);
+  ShortcutUnit<kDefaultConfig, const TextureMemory> unit(state, scene.memory);
+  for (int i = 0; i < 1000; ++i) {
+    expect_same<kDefaultConfig>(tame_lookup(random, 8, 8), state, scene.memory, unit);
+  }
+  EXPECT_EQ(unit.counts().absent_channels, 0);
+}
+
+// Memory that tells which lines were asked for.
+struct WatchedMemory {
+  const TextureMemory& memory;
+  std::set<std::int64_t> asked{};
+  std::span<const std::uint8_t> line(std::int64_t index) {
+    asked.insert(index);
+    return memory.line(index);
+  }
+};
+
+TEST(shortcuts, lines_of_no_weight_are_not_asked_for) {
+  Random random(8);
+  const Scene scene = make_scene(random, 8, 8, TexelFormat::kRgba8, false, Content::kNoise);
+  const State state = make_sampler<kDefaultConfig>(plain_options(Mode::kSimple), scene.texture, scene.memory);
+  WatchedMemory watched{scene.memory};
+  ShortcutUnit<kDefaultConfig, WatchedMemory> unit(state, watched);
+  // The last texel before the next line, at its centre and beyond it.
+  const Lookup centre{3.5F / 8, 3.5F / 8, 1.0F / 8, 0, 0, 1.0F / 8};
+  expect_same<kDefaultConfig>(centre, state, scene.memory, unit);
+  EXPECT_EQ(watched.asked, (std::set<std::int64_t>{0}));
+  Lookup beyond = centre;
+  beyond.s = 3.75F / 8;
+  expect_same<kDefaultConfig>(beyond, state, scene.memory, unit);
+  EXPECT_EQ(watched.asked, (std::set<std::int64_t>{0, 1}));
+}
+
+}  // namespace
+}  // namespace feline
