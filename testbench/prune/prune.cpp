@@ -109,8 +109,9 @@ Config pruned_config(const Profile& profile, const Config& full) {
   if (config.features.clamp_to_edge || config.features.clamp_to_border) {
     const std::int64_t bits =
         std::max(greatest(profile, Reach::kPositionBitsS), greatest(profile, Reach::kPositionBitsT));
+    const FormatSet formats(full);
     config.least_range_log2 =
-        static_cast<int>(std::clamp<std::int64_t>(bits - F::kPositionFraction, 0, F::kSaturationLog2));
+        static_cast<int>(std::clamp<std::int64_t>(bits - formats.position_fraction, 0, formats.saturation_log2));
   }
   config.table_cells = decltype(config.table_cells)::none();
   for (const auto& [cell, count] : profile[Reach::kCell]) config.table_cells.add(static_cast<std::size_t>(cell));
