@@ -22,12 +22,9 @@ void add_stability(CLI::App& program, int& exit_code);
 void add_vectors(CLI::App& program, int& exit_code);
 void add_report(CLI::App& program, int& exit_code);
 void add_figure(CLI::App& program, int& exit_code);
-<<<<<<< HEAD
 void add_area(CLI::App& program, int& exit_code);
 void add_activity(CLI::App& program, int& exit_code);
-=======
 void add_shortcuts(CLI::App& program, int& exit_code);
->>>>>>> main
 void add_profile(CLI::App& program, int& exit_code);
 void add_budget(CLI::App& program, int& exit_code);
 // `arguments` is the whole command line, from which further commands are made.
