@@ -21,7 +21,7 @@ constexpr double kAny = 1e9;
 
 ExhibitPlan small_plan(const std::string& name) { return plan_exhibit(small_scene(name), kSide, kSide); }
 
-SearchOptions small_search(std::vector<double> decibels) {
+SearchOptions small_search(const std::vector<double>& decibels) {
   SearchOptions options;
   options.survey.space = Space::kSmall;
   options.survey.strata = 4;
