@@ -22,6 +22,8 @@ std::string cost_label(CostKind kind) {
   return {};
 }
 
+std::string_view truth_name(TruthChoice truth) { return truth == TruthChoice::kGaussian ? "Gaussian" : "box"; }
+
 std::string_view cost_meaning(CostKind kind) {
   switch (kind) {
     case CostKind::kCycles:
@@ -44,7 +46,7 @@ std::string introduction(const SearchOptions& options) {
       "Which is the cheapest way to texture a scene, if its picture may be a little worse than the full unit's? Every "
       "candidate of the space was rendered by its bit-accurate model and compared with the truth.");
   const auto kernel = kKernelNames[static_cast<std::size_t>(options.kernel)];
-  const auto truth = kTruthChoiceNames[static_cast<std::size_t>(options.truth)];
+  const std::string_view truth = truth_name(options.truth);
   html += page::bullets(std::array<std::string, 5>{
       fmt::format("A budget in dB is the PSNR that may be lost against the full unit in Table mode with the exact "
                   "parameters and the {} kernel; a worst pixel is an error in codes of 255. Both are measured against "
@@ -101,7 +103,7 @@ std::string front_plot(const SceneSearch& search, const SearchOptions& options, 
   plot.name = identifier(fmt::format("{}-{}", search.plan.name, part));
   plot.title = fmt::format("{}, {}", search.plan.name, part);
   plot.x.label = cost_label(options.cost);
-  plot.y.label = fmt::format("PSNR, dB, {} truth", kTruthChoiceNames[static_cast<std::size_t>(options.truth)]);
+  plot.y.label = fmt::format("PSNR, dB, {} truth", truth_name(options.truth));
   page::Series candidates{"candidates", {}, page::Style::kPoints};
   page::Series front{"Pareto front", {}, page::Style::kLinesPoints};
   page::Series full{"full unit", {}, page::Style::kPoints};
@@ -127,7 +129,7 @@ std::string front_plot(const SceneSearch& search, const SearchOptions& options, 
   plot.y.low = low.y - 0.05 * height;
   plot.y.high = high.y + 0.1 * height;
   plot.series = {std::move(candidates), std::move(front), std::move(full),
-                 choice_points(search, options, 0.2 * width, 0.06 * height)};
+                 choice_points(search, options, 0.12 * width, 0.06 * height)};
   return page::svg(plot);
 }
 

@@ -145,8 +145,9 @@ Config hardware_of(const Candidate& candidate, const SamplerState<kDefaultConfig
 
 bool needs_no_more(const Config& unit, const Config& than) {
   const bool widths = std::ranges::all_of(kConfigFields, [&](const ConfigField& each) {
-    // Guard bits give back what a smaller texture takes from positions, which count as a whole.
-    return each.field == &Config::guard_bits || unit.*each.field <= than.*each.field;
+    // Guard bits and the least range give back what a smaller texture takes from positions, which count as a whole.
+    return each.field == &Config::guard_bits || each.field == &Config::least_range_log2 ||
+           unit.*each.field <= than.*each.field;
   });
   const bool features = std::ranges::all_of(kFeatureFields, [&](const FeatureField& each) {
     return !(unit.features.*each.field) || than.features.*each.field;

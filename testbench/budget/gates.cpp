@@ -14,7 +14,9 @@ std::string unit_source(const Config& config, const std::filesystem::path& rtl) 
   const Roms roms = make_roms(config);
   const PackageParts parts = package_parts(config);
   std::string source = emit_package(config, parts, fingerprint(config, parts, roms));
-  for (const Rom* const rom : roms.all()) source += emit_rom_module(*rom);
+  std::vector<const Rom*> in_order = roms.all();
+  std::ranges::sort(in_order, {}, &Rom::name);
+  for (const Rom* const rom : in_order) source += emit_rom_module(*rom);
   std::vector<std::filesystem::path> modules;
   if (std::filesystem::is_directory(rtl)) {
     for (const auto& entry : std::filesystem::directory_iterator(rtl)) {

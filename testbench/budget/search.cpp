@@ -163,7 +163,7 @@ SceneSearch search_scene(const ExhibitPlan& plan, const SearchOptions& options, 
       choice.holds = holds(errors_of(*choice.verified, options.truth), full, budget) &&
                      !cheaper_one(all, search.costs, full, options.truth, budget, *choice.chosen);
     }
-    search.choices.push_back(std::move(choice));
+    search.choices.push_back(choice);
   }
   return search;
 }

@@ -21,6 +21,7 @@ namespace {
 
 constexpr double kGreatestLoss = 1e9;
 constexpr int kTimedRuns = 3;
+constexpr const char* kSourceDirectory = FELINE_SOURCE_DIR;
 
 struct BudgetOptions {
   ExhibitOptions exhibits{std::string(scenes().front().name), "128"};
@@ -30,7 +31,7 @@ struct BudgetOptions {
   std::string cost = "cycles";
   std::string space = "full";
   std::string kernel = "bilinear";
-  std::string source = FELINE_SOURCE_DIR;
+  std::string source = kSourceDirectory;
   std::string library = kCellLibrary;
   std::string output = "feline-budget";
   std::string cache;

@@ -21,7 +21,7 @@ constexpr double kAny = 1e9;
 
 ExhibitPlan small_plan(const std::string& name) { return plan_exhibit(small_scene(name), kSide, kSide); }
 
-SearchOptions small_search(std::vector<double> decibels) {
+SearchOptions small_search(const std::vector<double>& decibels) {
   SearchOptions options;
   options.survey.space = Space::kSmall;
   options.survey.strata = 4;
@@ -49,7 +49,7 @@ Measurement made_up(const Config& hardware, double psnr, double cycles = 1, doub
 double fake_gates(const Config& config) {
   double gates = 100 * FormatSet(config).position.width();
   for (const ConfigField& each : kConfigFields) {
-    if (each.field != &Config::guard_bits) gates += 10 * config.*each.field;
+    if (each.field != &Config::guard_bits && each.field != &Config::least_range_log2) gates += 10 * config.*each.field;
   }
   for (const FeatureField& each : kFeatureFields) gates += config.features.*each.field ? 500 : 0;
   return gates;

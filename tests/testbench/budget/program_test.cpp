@@ -69,7 +69,7 @@ TEST(budget_program, a_budget_that_none_holds) {
 // Killed in the middle, it goes on and gives what it would have given.
 TEST(budget_program, goes_on_after_it_was_killed) {
   const TempDir dir;
-  const std::string command = "budget --space full --size 24 --scene repeat --json --output ";
+  const std::string command = "budget --space full --size 12 --scene repeat --json --output ";
   const std::string cache = path(dir, "out/cache");
   // As soon as a few variants are measured.
   const Outcome killed = run_program(
