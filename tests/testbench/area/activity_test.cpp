@@ -72,21 +72,24 @@ TEST(activity, of_a_unit_without_requests_is_nothing) {
 TEST(activity, scales_with_pixels_and_not_with_waiting) {
   const Activity once = Scenery(32).measure({});
   const Activity twice = Scenery(64).measure({});
+  const Activity thrice = Scenery(96).measure({});
   Timing slow;
   slow.memory_latency = 200;
   slow.stalls = 0.5;
-  const Activity waiting = Scenery(64).measure(slow);
+  const Activity waiting = Scenery(96).measure(slow);
   EXPECT_EQ(once.lookups, 32U);
   EXPECT_EQ(twice.probes, 2 * once.probes);
-  EXPECT_GT(waiting.cycles, 3 * twice.cycles);
+  EXPECT_GT(waiting.cycles, 2 * thrice.cycles);
   for (std::size_t i = 0; i < once.stages.size(); ++i) {
+    const std::string& stage = once.stages[i].stage;
+    if (stage == "rest") continue;
     const auto registers = [&](const Activity& of) { return static_cast<double>(of.stages[i].registers); };
-    if (once.stages[i].stage == "rest") continue;
-    EXPECT_GT(registers(once), 1000) << once.stages[i].stage;
-    EXPECT_NEAR(registers(twice) / registers(once), 2, 0.3) << once.stages[i].stage;
+    // What registers hold at power-up is another value for every seed, and once only.
+    const double more = registers(twice) - registers(once);
+    EXPECT_GT(more, 500) << stage;
+    EXPECT_NEAR((registers(thrice) - registers(twice)) / more, 1, 0.1) << stage;
     // A stall moves some valid bits, and sends beats through the spill register's second half.
-    EXPECT_NEAR(registers(waiting) / registers(twice), 1, once.stages[i].stage == "spill" ? 1 : 0.1)
-        << once.stages[i].stage;
+    EXPECT_NEAR(registers(waiting) / registers(thrice), 1, stage == "spill" ? 1 : 0.1) << stage;
   }
 }
 
