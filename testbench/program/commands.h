@@ -23,7 +23,6 @@ void add_vectors(CLI::App& program, int& exit_code);
 void add_report(CLI::App& program, int& exit_code);
 void add_figure(CLI::App& program, int& exit_code);
 void add_area(CLI::App& program, int& exit_code);
-void add_activity(CLI::App& program, int& exit_code);
 void add_shortcuts(CLI::App& program, int& exit_code);
 void add_profile(CLI::App& program, int& exit_code);
 void add_budget(CLI::App& program, int& exit_code);
@@ -31,5 +30,6 @@ void add_budget(CLI::App& program, int& exit_code);
 void add_render(CLI::App& program, int& exit_code, const std::vector<std::string>& arguments);
 void add_prune(CLI::App& program, int& exit_code, const std::vector<std::string>& arguments);
 void add_cosim(CLI::App& program, int& exit_code, const std::vector<std::string>& arguments);
+void add_activity(CLI::App& program, int& exit_code, const std::vector<std::string>& arguments);
 
 }  // namespace feline
