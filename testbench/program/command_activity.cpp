@@ -58,8 +58,8 @@ void add_activity(CLI::App& program, int& exit_code, const std::vector<std::stri
   }
   CLI::App* command = program.add_subcommand("activity", "toggles a pixel of every stage of the RTL, and cycles");
   command->footer(
-      "Counts bits that change from one cycle to the next: of flip-flops, of all signals that a stage drives, and of the\n"
-      "words of the texel cache. Example: feline activity --scene bricks --size 64 --memory-latency 100");
+      "Counts bits that change from one cycle to the next: of flip-flops, of all signals that a stage drives, and of\n"
+      "the words of the texel cache. Example: feline activity --scene bricks --size 64 --memory-latency 100");
   options->options.add_to(*command);
   command->add_option("--unit", options->unit,
                       "directory of feline prune, whose unit is built; otherwise the full unit");

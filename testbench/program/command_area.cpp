@@ -63,8 +63,8 @@ void add_area(CLI::App& program, int& exit_code) {
   auto options = std::make_shared<AreaOptions>();
   CLI::App* command = program.add_subcommand("area", "synthesizes the unit: cells, area, multipliers of every stage");
   command->footer(
-      "Of the unit as it is used: pins that only watch its stages are left out, and constants and what nobody needs go\n"
-      "away across stages. The texel cache's memories are counted in bits; everything else, ROMs too, is in cells.\n"
+      "Of the unit as it is used: pins that only watch its stages are left out, and constants and what nobody needs\n"
+      "go away across stages. The texel cache's memories are counted in bits; everything else, ROMs too, is in cells.\n"
       "Needs Yosys and OSU's 180 nm cells (Debian packages yosys, qflow-tech-osu018); takes about two minutes.\n"
       "Example: feline area --generated runway-unit/generated");
   command->add_option("--generated", options->generated,

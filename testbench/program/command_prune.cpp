@@ -86,8 +86,8 @@ int run_prune(const PruneOptions& options) {
     holds = check.holds() && (!profiled_here || check.outside == 0);
     json["check"] = to_json(check);
     text += fmt::format(
-        "check     {} lookups, {} identical to the full unit's, {} outside, {} flagged, {} refused by the driver, {} wrong "
-        "without a flag, {} RTL mismatches\n{}",
+        "check     {} lookups, {} identical to the full unit's, {} outside, {} flagged, {} refused by the driver, {} "
+        "wrong without a flag, {} RTL mismatches\n{}",
         check.lookups, check.identical, check.outside, check.flagged, check.refused, check.silent, check.mismatches,
         check.message);
   }
@@ -112,9 +112,9 @@ void add_prune(CLI::App& program, int& exit_code, const std::vector<std::string>
   }
   CLI::App* command = program.add_subcommand("prune", "the unit without what scenes do not need, checked on them");
   command->footer(
-      "Writes unit.h, generated/ (package and ROMs), profile.json and prune.json, builds RTL and model of the unit, and\n"
-      "compares its pixels with the full unit's. With --profile the frames given are held out: what leaves the profile\n"
-      "must be flagged, and nothing may be wrong without a flag.\n"
+      "Writes unit.h, generated/ (package and ROMs), profile.json and prune.json, builds RTL and model of the unit,\n"
+      "and compares its pixels with the full unit's. With --profile the frames given are held out: what leaves the\n"
+      "profile must be flagged, and nothing may be wrong without a flag.\n"
       "Example: feline prune --scene runway --mode simple --output runway-unit");
   options->frames.add_to(*command);
   command

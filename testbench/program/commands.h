@@ -28,6 +28,7 @@ void add_profile(CLI::App& program, int& exit_code);
 void add_budget(CLI::App& program, int& exit_code);
 // `arguments` is the whole command line, from which further commands are made.
 void add_render(CLI::App& program, int& exit_code, const std::vector<std::string>& arguments);
+void add_activity(CLI::App& program, int& exit_code, const std::vector<std::string>& arguments);
 void add_prune(CLI::App& program, int& exit_code, const std::vector<std::string>& arguments);
 void add_cosim(CLI::App& program, int& exit_code, const std::vector<std::string>& arguments);
 void add_activity(CLI::App& program, int& exit_code, const std::vector<std::string>& arguments);

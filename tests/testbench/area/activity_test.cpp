@@ -6,6 +6,7 @@
 
 #include "tables/emit.h"
 #include "tables/pack.h"
+#include "testbench/random.h"
 #include "tests/testbench/run_program.h"
 #include "tests/testbench/temp_dir.h"
 
