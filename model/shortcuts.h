@@ -64,9 +64,9 @@ concept LineSource = requires(Lines& lines, std::int64_t index) {
 };
 
 // One sampler state and one memory, which must both outlive it; for one thread. A configuration without alpha looks for
-// it in every texel, and has no shortcuts.
+// it in every texel, those of no weight included.
 template <Config kConfig, LineSource Lines>
-requires(kConfig.features.alpha) class ShortcutUnit {
+class ShortcutUnit {
  public:
   ShortcutUnit(const SamplerState<kConfig>& sampler, Lines& lines, const Shortcuts& shortcuts = {})
       : sampler_(sampler),
@@ -82,6 +82,7 @@ requires(kConfig.features.alpha) class ShortcutUnit {
       for (std::size_t c = 0; c < 4; ++c) decoded_[c][code] = texel[c];
     }
     stored_ = texel_channels<kConfig>(sampler);
+    if (kLooksForAlpha) shortcuts_.weightless_texels = shortcuts_.weightless_probes = false;
     // Only a state that make_sampler did not make can have a border with channels that its texels lack.
     const bool has_border = wrap_s_ == Wrap::kClampToBorder || wrap_t_ == Wrap::kClampToBorder;
     leaves_channels_ = shortcuts_.absent_channels;
@@ -98,13 +99,15 @@ requires(kConfig.features.alpha) class ShortcutUnit {
     trace(planned);
     AccumulateBeat<kConfig> beat;
     beat.tag = planned.tag;
-    beat.status = row_status<kConfig>(planned);
+    lacks_alpha_ = false;
     walk_probes(planned);
     switch (stored_) {
       case 1: leaves_channels_ ? filter_levels<1, 1>(planned, beat) : filter_levels<1, 4>(planned, beat); break;
       case 2: leaves_channels_ ? filter_levels<2, 2>(planned, beat) : filter_levels<2, 4>(planned, beat); break;
       default: filter_levels<4, 4>(planned, beat); break;
     }
+    beat.status =
+        beat.status.from_raw(row_status<kConfig>(planned).raw() | unsupported_if(kLooksForAlpha && lacks_alpha_));
     return beat;
   }
 
@@ -114,6 +117,7 @@ requires(kConfig.features.alpha) class ShortcutUnit {
   using F = Formats<kConfig>;
   using Texel = std::array<std::uint16_t, 4>;  // raw channels
   static_assert(F::kChannel.width() <= 16);
+  static constexpr bool kLooksForAlpha = channel_count(kConfig.features) == 4 && !kConfig.features.alpha;
   struct Probe {
     std::int64_t s, t, weight;
   };
@@ -214,15 +218,21 @@ requires(kConfig.features.alpha) class ShortcutUnit {
 
   template <std::size_t kStored>
   Texel texel(const LevelShape& shape, const AxisTexels& x, const AxisTexels& y, std::size_t column, std::size_t row) {
-    if (x.outside[column] || y.outside[row]) return border_;
+    if (x.outside[column] || y.outside[row]) {
+      lacks_alpha_ = lacks_alpha_ || lacks_alpha<kConfig>(sampler_.border);
+      return border_;
+    }
     const std::span<const std::uint8_t> line = lines_.line(shape.line(x.index[column], y.index[row]));
     if (!shortcuts_.decoded_codes) {
-      return packed(supported_texel<kConfig>(decode_texel<kConfig>(line, x.index[column], y.index[row], sampler_)));
+      const auto texel = decode_texel<kConfig>(line, x.index[column], y.index[row], sampler_);
+      lacks_alpha_ = lacks_alpha_ || lacks_alpha<kConfig>(texel);
+      return packed(supported_texel<kConfig>(texel));
     }
     ++counts_.decoded_codes;
     const std::size_t first = texel_slot(x.index[column], y.index[row]) * kStored;
     Texel texel{decoded_[0][0], decoded_[1][0], decoded_[2][0], decoded_[3][0]};
     for (std::size_t c = 0; c < kStored; ++c) texel[c] = decoded_[c][line[first + c]];
+    if constexpr (kLooksForAlpha && kStored == 4) lacks_alpha_ = lacks_alpha_ || line[first + 3] != 255;
     return texel;
   }
 
@@ -233,6 +243,7 @@ requires(kConfig.features.alpha) class ShortcutUnit {
   Texel border_;
   int stored_ = 4;  // channels of the texel format
   bool leaves_channels_ = false;
+  bool lacks_alpha_ = false;  // a texel of this lookup does
   std::array<Probe, static_cast<std::size_t>(kConfig.max_probes)> probes_{};
   std::size_t used_ = 0;
   std::array<Texel, 4> unused_{};                            // of a level of no weight
