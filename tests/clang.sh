@@ -25,7 +25,7 @@ for source in "$@"; do
 done
 flags=(-std=c++20 -Wall -Wextra -Wconversion -I. -isystem /usr/share/verilator/include
   -isystem /usr/share/verilator/include/vltstd "-I$build/faulty"
-  -DFELINE_SOURCE_DIR='""' -DFELINE_PROGRAM='""' -DFELINE_BROKEN='""')
+  -DFELINE_SOURCE_DIR='"."' -DFELINE_PROGRAM='""' -DFELINE_BROKEN='""')
 for library in fast trace faulty; do
   flags+=(-isystem "$build/CMakeFiles/feline_$library.dir/Vfeline_$library.dir")
 done

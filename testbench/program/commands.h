@@ -31,6 +31,5 @@ void add_render(CLI::App& program, int& exit_code, const std::vector<std::string
 void add_activity(CLI::App& program, int& exit_code, const std::vector<std::string>& arguments);
 void add_prune(CLI::App& program, int& exit_code, const std::vector<std::string>& arguments);
 void add_cosim(CLI::App& program, int& exit_code, const std::vector<std::string>& arguments);
-void add_activity(CLI::App& program, int& exit_code, const std::vector<std::string>& arguments);
 
 }  // namespace feline

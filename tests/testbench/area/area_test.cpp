@@ -99,9 +99,8 @@ TEST(area, of_small_stages) {
 }
 
 TEST(area, program_says_what_is_missing) {
-  const std::string program = FELINE_PROGRAM;
   const auto complaint = [&](const std::string& arguments, const std::string& before = "") {
-    const Outcome outcome = run_program(program, "area " + arguments, before);
+    const Outcome outcome = run_program(FELINE_PROGRAM, "area " + arguments, before);
     EXPECT_EQ(outcome.code, 2) << outcome.text;
     return outcome.text;
   };
