@@ -6,7 +6,9 @@
 // Rounds the exact weighted sum, U8.36, to 8 fraction bits: nearest, ties up. Weights sum to exactly one, so equal
 //        texels come back exactly, and the result lies within the texels that have weight: every texel is a multiple of
 //        the result's last bit, and rounding to its multiples is monotone.
-// Edges  first starts the sum anew, whatever was there.
+// Edges  first starts the sum anew, whatever was there. A channel that the configuration leaves out is 0, alpha one,
+// even
+//        where weights are missing.
 // Source WRL 99/1, 3.1 (accumulation), 3.2 (weights that sum to one).
 #pragma once
 
@@ -15,6 +17,7 @@
 
 #include "tables/rounding.h"
 #include "tables/sampler_state.h"
+#include "tables/supported.h"
 
 namespace feline {
 
@@ -31,6 +34,13 @@ Fixed<Formats<kConfig>::kPixel> round_sum(std::int64_t sum) {
   return Fixed<F::kPixel>::from_raw(round_up_ties(sum, F::kAccumulated.fraction_bits - F::kPixel.fraction_bits));
 }
 
+// Of a channel that the configuration has no place for, whatever the weights: 0, alpha one.
+template <Config kConfig>
+Fixed<Formats<kConfig>::kPixel> absent_channel(std::size_t channel) {
+  using Pixel = Fixed<Formats<kConfig>::kPixel>;
+  return channel == 3 ? Pixel::from_raw(std::int64_t{255} << kConfig.pixel_fraction_bits) : Pixel{};
+}
+
 template <Config kConfig>
 std::optional<AccumulateBeat<kConfig>> accumulate(const FilterBeat<kConfig>& filter, Accumulator<kConfig>& sum) {
   const bool first = filter.first.raw() != 0;
@@ -43,7 +53,10 @@ std::optional<AccumulateBeat<kConfig>> accumulate(const FilterBeat<kConfig>& fil
   AccumulateBeat<kConfig> beat;
   beat.tag = filter.tag;
   beat.status = sum.status;
-  for (std::size_t c = 0; c < 4; ++c) beat.colour[c] = round_sum<kConfig>(sum.colour[c].raw());
+  for (std::size_t c = 0; c < 4; ++c) {
+    const bool kept = has_channel(kConfig.features, static_cast<int>(c));
+    beat.colour[c] = kept ? round_sum<kConfig>(sum.colour[c].raw()) : absent_channel<kConfig>(c);
+  }
   return beat;
 }
 

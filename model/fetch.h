@@ -56,9 +56,10 @@ inline constexpr auto kOpaque = Fixed<Formats<kConfig>::kChannel>::from_raw(std:
 // What the configuration has no place for is 0, alpha one.
 template <Config kConfig>
 typename FetchBeat<kConfig>::Texel supported_texel(typename FetchBeat<kConfig>::Texel texel) {
-  constexpr int kChannels = channel_count(kConfig.features);
-  for (std::size_t c = kChannels; c < 3; ++c) texel[c] = {};
-  if (kChannels < 4 || !kConfig.features.alpha) texel[3] = kOpaque<kConfig>;
+  for (int c = 0; c < 4; ++c) {
+    if (has_channel(kConfig.features, c)) continue;
+    texel[static_cast<std::size_t>(c)] = c == 3 ? kOpaque<kConfig> : Fixed<Formats<kConfig>::kChannel>{};
+  }
   return texel;
 }
 

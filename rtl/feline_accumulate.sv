@@ -6,7 +6,8 @@
 // Rounds the exact weighted sum, U8.36, to 8 fraction bits: nearest, ties up. Weights sum to exactly one, so equal
 //        texels come back exactly, and the result lies within the texels that have weight: every texel is a multiple of
 //        the result's last bit, and rounding to its multiples is monotone.
-// Edges  first starts the sum anew, whatever was there.
+// Edges  first starts the sum anew, whatever was there. A channel that the configuration leaves out is 0, alpha one, even
+//        where weights are missing.
 // Timing two registers: weighted | sum. A beat each cycle.
 // Source WRL 99/1, 3.1 (accumulation), 3.2 (weights that sum to one).
 `default_nettype none
@@ -42,7 +43,7 @@ module feline_accumulate (
   logic                  weighted_ready;
 
   for (genvar c = 0; c < 4; c++) begin : gen_product
-    if (c < feline_pkg::Channels && (c < 3 || feline_pkg::FeatureAlpha)) begin : gen_weighted
+    if (feline_pkg::HasChannel[c]) begin : gen_weighted
       assign product[c*SumWidth +: SumWidth] = SumWidth'(filter_i.colour[c]) * SumWidth'(filter_i.weight);
     end else begin : gen_constant
       assign product[c*SumWidth +: SumWidth] = '0;
@@ -76,7 +77,7 @@ module feline_accumulate (
   logic                                beat_ready;
 
   for (genvar c = 0; c < 4; c++) begin : gen_sum
-    if (c < feline_pkg::Channels && (c < 3 || feline_pkg::FeatureAlpha)) begin : gen_weighted
+    if (feline_pkg::HasChannel[c]) begin : gen_weighted
       logic [SumWidth-1:0] carried;
       logic [SumWidth-1:0] sum;
 

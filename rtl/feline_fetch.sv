@@ -33,10 +33,10 @@ module feline_fetch #(
   output logic                                               memory_response_ready_o,
   input  wire logic [(32 << (2 * feline_pkg::TileLog2))-1:0] memory_response_data_i
 );
-  localparam int unsigned WordWidth   = 32;
+  localparam int unsigned WordWidth    = 32;
   localparam int unsigned ChannelWidth = feline_pkg::ChannelWidth;
-  localparam int unsigned TexelWidth  = 4 * ChannelWidth;
-  localparam int unsigned ColumnWidth = feline_pkg::TileLog2;
+  localparam int unsigned TexelWidth   = 4 * ChannelWidth;
+  localparam int unsigned ColumnWidth  = feline_pkg::TileLog2;
 
   // Texels 0 .. 3 are fine 00, 10, 01, 11, texels 4 .. 7 the same of the coarse level.
   typedef struct packed {
@@ -91,7 +91,7 @@ module feline_fetch #(
     .clk_i, .rst_i, .flush_i,
     .texel_format_i(texel_format),
     .texels_valid_i(address_valid_i), .texels_ready_o(address_ready_o),
-    .odd_i(address_i.level[0]),
+    .odd_i(1'(address_i.level)),
     .x_i({address_i.coarse_x, address_i.fine_x}), .y_i({address_i.coarse_y, address_i.fine_y}),
     .line_i({address_i.coarse_line, address_i.fine_line}), .needed_i(used & ~outside),
     .words_valid_o(read_valid), .words_ready_i(read_ready), .word_o(word),
@@ -124,7 +124,7 @@ module feline_fetch #(
     .valid_o(words_valid), .ready_i(words_ready), .data_o(words_q)
   );
 
-  // The texels in them.
+  // The texels in them. `missing`: alpha where the configuration has no place for it.
   localparam logic [ChannelWidth-1:0] Opaque = {8'hff, feline_pkg::ChannelFraction'(0)};
 
   logic [7:0]              transparent;
@@ -146,7 +146,7 @@ module feline_fetch #(
 
     // What the configuration has no channel for is 0, alpha one.
     for (genvar c = 0; c < 4; c++) begin : gen_channel
-      if (c < feline_pkg::Channels && (c < 3 || feline_pkg::FeatureAlpha)) begin : gen_read
+      if (feline_pkg::HasChannel[c]) begin : gen_read
         assign texel[i*TexelWidth + c*ChannelWidth +: ChannelWidth] = read[c*ChannelWidth +: ChannelWidth];
       end else begin : gen_constant
         assign texel[i*TexelWidth + c*ChannelWidth +: ChannelWidth] = c == 3 && words_q.used[i] ? Opaque : '0;
@@ -156,7 +156,7 @@ module feline_fetch #(
     assign transparent[i] = words_q.used[i] && read[3*ChannelWidth +: ChannelWidth] != Opaque;
   end
 
-  if (feline_pkg::Channels == 4 && !feline_pkg::FeatureAlpha) begin : gen_opaque
+  if (feline_pkg::HasChannel[2] && !feline_pkg::HasChannel[3]) begin : gen_opaque
     assign missing = transparent != '0;
   end else begin : gen_alpha
     assign missing = 1'b0;

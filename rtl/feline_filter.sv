@@ -117,7 +117,7 @@ module feline_filter (
     assign coarse_1 = '0;
 
     logic unused_coarse;
-    assign unused_coarse = ^coarse_x;
+    assign unused_coarse = ^{fetch_i.coarse_00, fetch_i.coarse_10, fetch_i.coarse_01, fetch_i.coarse_11, coarse_x};
   end
 
   always_comb begin

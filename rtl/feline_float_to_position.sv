@@ -78,6 +78,10 @@ module feline_float_to_position #(
     end
   end
 
+  // Few bits of position cut what lies above them.
+  logic unused_rounded;
+  assign unused_rounded = ^rounded;
+
   assign position_o = negative ? -magnitude : magnitude;
 endmodule
 

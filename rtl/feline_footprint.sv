@@ -138,16 +138,16 @@ module feline_footprint (
   );
 
   // Ellipse, or the vector as it is.
-  feline_pkg::footprint_t footprint_d;
-  logic                   is_table;
-  logic                   cell_present;
+  feline_pkg::footprint_t             footprint_d;
+  logic                               is_table;
+  logic                               cell_present;
   logic [feline_pkg::StatusWidth-1:0] place_status;
-  logic [VectorWidth-1:0] ellipse_u;
-  logic [VectorWidth-1:0] ellipse_v;
-  logic [RadiusWidth-1:0] ellipse_major;
-  logic [RadiusWidth-1:0] ellipse_minor;
-  logic [VectorWidth-1:0] longer_u;
-  logic [VectorWidth-1:0] longer_v;
+  logic [VectorWidth-1:0]             ellipse_u;
+  logic [VectorWidth-1:0]             ellipse_v;
+  logic [RadiusWidth-1:0]             ellipse_major;
+  logic [RadiusWidth-1:0]             ellipse_minor;
+  logic [VectorWidth-1:0]             longer_u;
+  logic [VectorWidth-1:0]             longer_v;
 
   assign longer_u = VectorWidth'($signed(place_q.longer.longer_u)) << feline_pkg::VectorFraction;
   assign longer_v = VectorWidth'($signed(place_q.longer.longer_v)) << feline_pkg::VectorFraction;

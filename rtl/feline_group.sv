@@ -54,20 +54,20 @@ module feline_group (
   localparam logic [3:0] HasPlace = {feline_pkg::FeatureDvdy, feline_pkg::FeatureDudy, feline_pkg::FeatureDvdx,
                                      feline_pkg::FeatureDudx};
 
-  products_t                 products_d;
+  products_t                        products_d;
   logic [feline_pkg::WrapWidth-1:0] wrap_s;
   logic [feline_pkg::WrapWidth-1:0] wrap_t;
-  logic                      s_finite;
-  logic                      t_finite;
-  logic                      s_overflow;
-  logic                      t_overflow;
-  logic [3:0]                finite;
-  logic [3:0]                missing;
-  logic [1:0]                early;
-  logic [4*Float32Width-1:0] derivatives;
-  logic [4*SizeWidth-1:0]    sizes;
-  logic [4*TopWidth-1:0]     tops;
-  logic [TopWidth-1:0]       top;
+  logic                             s_finite;
+  logic                             t_finite;
+  logic                             s_overflow;
+  logic                             t_overflow;
+  logic [3:0]                       finite;
+  logic [3:0]                       missing;
+  logic [1:0]                       early;
+  logic [4*Float32Width-1:0]        derivatives;
+  logic [4*SizeWidth-1:0]           sizes;
+  logic [4*TopWidth-1:0]            tops;
+  logic [TopWidth-1:0]              top;
 
   assign products_d.tag                  = request_i.tag;
   assign products_d.coordinates_finite   = s_finite && t_finite;

@@ -14,7 +14,7 @@ module feline_interpolate_texel #(
   localparam int unsigned ResultWidth = ValueWidth + FractionWidth;
 
   for (genvar c = 0; c < 4; c++) begin : gen_channel
-    if (c < feline_pkg::Channels && (c < 3 || feline_pkg::FeatureAlpha)) begin : gen_interpolate
+    if (feline_pkg::HasChannel[c]) begin : gen_interpolate
       feline_interpolate #(.ValueWidth(ValueWidth), .FractionWidth(FractionWidth)) u_interpolate (
         .a_i(a_i[c*ValueWidth +: ValueWidth]), .b_i(b_i[c*ValueWidth +: ValueWidth]), .fraction_i,
         .value_o(value_o[c*ResultWidth +: ResultWidth])

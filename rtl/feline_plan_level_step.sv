@@ -58,12 +58,12 @@ module feline_plan_level_step (
   assign unused_sampler = ^sampler_i;
 
   // Level and line.
-  level_t                       level_d;
-  level_t                       level_q;
-  logic                         level_valid;
-  logic                         level_ready;
-  logic signed [LevelWidth-1:0] base_level;
-  logic                         beyond_smallest;
+  level_t                             level_d;
+  level_t                             level_q;
+  logic                               level_valid;
+  logic                               level_ready;
+  logic signed [LevelWidth-1:0]       base_level;
+  logic                               beyond_smallest;
   logic [feline_pkg::StatusWidth-1:0] level_status;
 
   feline_level_of_radius u_level_of_radius (.radius_i(fitted_i), .exponent_i, .level_o(base_level));

@@ -130,7 +130,9 @@ std::string emit_package(const Config& config, const PackageParts& parts, std::u
   const FormatSet& formats = parts.formats;
   out += "\n  // Derived (tables/formats.h).\n";
   out += fmt::format("  localparam int unsigned Levels = {};\n", formats.levels);
-  out += fmt::format("  localparam int unsigned Channels = {};\n", channel_count(config.features));
+  out += fmt::format("  localparam logic [3:0] HasChannel = 4'b{}{}{}{};  // alpha, blue, green, red\n",
+                     has_channel(config.features, 3) ? 1 : 0, has_channel(config.features, 2) ? 1 : 0,
+                     has_channel(config.features, 1) ? 1 : 0, has_channel(config.features, 0) ? 1 : 0);
   out += fmt::format("  localparam int unsigned WeightColumns = {};\n", formats.weight_columns);
   out += fmt::format("  localparam int unsigned GaussianRows = {};\n", formats.gaussian_rows);
   out += fmt::format("  localparam int unsigned TileLog2 = {};\n", kTileLog2);

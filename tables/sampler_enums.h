@@ -28,7 +28,7 @@ inline constexpr std::array<std::string_view, 2> kProbeRoundingNames{"nearest", 
 enum StatusBit : std::uint8_t {
   kCoordinateNotFinite = 1,  // s or t: NaN reads as 0, infinity as the far edge (clamps) or 0 (repeats)
   kDerivativeNotFinite = 2,  // any NaN or infinity: the footprint has no bound: one probe at the coarsest level
-  kUnsupported = 4,          // the sampler state asks for a feature that the configuration leaves out
+  kUnsupported = 4,          // the lookup needs something that the configuration leaves out
   kOverflow = 8,             // a finite coordinate that a clamp saturates, or a footprint beyond the largest exponent
 };
 inline constexpr std::array<std::string_view, 4> kStatusNames{"coordinate_not_finite", "derivative_not_finite",

@@ -70,4 +70,9 @@ constexpr TexelFormat supported_format(const Features& features, TexelFormat for
 // Channels that textures can bring; the others are 0, alpha 255.
 constexpr int channel_count(const Features& features) { return features.rgba8 ? 4 : features.rg8 ? 2 : 1; }
 
+// Of red, green, blue, alpha: whether it can be anything but 0, alpha anything but 255.
+constexpr bool has_channel(const Features& features, int channel) {
+  return channel < channel_count(features) && (channel < 3 || features.alpha);
+}
+
 }  // namespace feline

@@ -54,7 +54,7 @@ package feline_pkg;
 
   // Derived (tables/formats.h).
   localparam int unsigned Levels = 15;
-  localparam int unsigned Channels = 4;
+  localparam logic [3:0] HasChannel = 4'b1111;  // alpha, blue, green, red
   localparam int unsigned WeightColumns = 9;
   localparam int unsigned GaussianRows = 61;
   localparam int unsigned TileLog2 = 2;
@@ -328,7 +328,7 @@ package feline_pkg;
   } accumulate_t;
   localparam int unsigned AccumulateBeatWidth = 84;
 
-  localparam logic [63:0] Fingerprint = 64'h4a65153ba73e72fd;
+  localparam logic [63:0] Fingerprint = 64'h306c18fd4340335e;
 endpackage
 // verilator lint_on UNUSEDPARAM
 

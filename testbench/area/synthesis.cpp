@@ -73,6 +73,22 @@ page::Finished yosys(const std::vector<std::string>& arguments) {
   }
 }
 
+// The SystemVerilog files of a directory that begin so, one after the other.
+std::string text_of(const std::filesystem::path& directory, const std::string& prefix, std::string_view field) {
+  std::vector<std::filesystem::path> files;
+  if (std::filesystem::is_directory(directory)) {
+    for (const auto& entry : std::filesystem::directory_iterator(directory)) {
+      const std::string name = entry.path().filename().string();
+      if (name.starts_with(prefix) && entry.path().extension() == ".sv") files.push_back(entry.path());
+    }
+  }
+  if (files.empty()) bad_input(directory.string(), field, "no such files", "a directory with " + prefix + "*.sv");
+  std::ranges::sort(files);
+  std::string text;
+  for (const std::filesystem::path& file : files) text += read_text(file, "open", "a file");
+  return text;
+}
+
 // The width of what the spill register holds, which the package says.
 std::string spill_width(const std::string& source) {
   constexpr std::string_view kName = "WalkBeatWidth = ";
@@ -84,27 +100,12 @@ std::string spill_width(const std::string& source) {
 
 }  // namespace
 
+std::string modules_text(const std::filesystem::path& rtl) { return text_of(rtl, "feline_", "--source"); }
+
 std::string unit_source(const std::filesystem::path& rtl, const std::filesystem::path& generated) {
-  std::vector<std::filesystem::path> roms;
-  std::vector<std::filesystem::path> modules;
-  const auto list = [](const std::filesystem::path& directory, std::string_view prefix, std::string_view field,
-                       std::vector<std::filesystem::path>& files) {
-    if (!std::filesystem::is_directory(directory)) {
-      bad_input(directory.string(), field, "no directory", "a directory with files " + std::string(prefix) + "*.sv");
-    }
-    for (const auto& entry : std::filesystem::directory_iterator(directory)) {
-      const std::string name = entry.path().filename().string();
-      if (name.starts_with(prefix) && entry.path().extension() == ".sv") files.push_back(entry.path());
-    }
-    std::ranges::sort(files);
-  };
-  list(generated, "feline_rom_", "--generated", roms);
-  list(rtl, "feline_", "--source", modules);
-  std::string source = read_text(generated / "feline_pkg.sv", "--generated", "a directory with feline_pkg.sv");
-  for (const auto& files : {roms, modules}) {
-    for (const std::filesystem::path& file : files) source += read_text(file, "open", "a file");
-  }
-  return source;
+  const std::string roms = text_of(generated, "feline_rom_", "--generated");
+  return read_text(generated / "feline_pkg.sv", "--generated", "a directory with feline_pkg.sv") + roms +
+         modules_text(rtl);
 }
 
 Synthesis::Synthesis(std::filesystem::path library, const Cache* cache) : library_(std::move(library)), cache_(cache) {

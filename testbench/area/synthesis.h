@@ -14,6 +14,9 @@ namespace feline {
 // Debian's package qflow-tech-osu018: OSU's cells for TSMC's 180 nm.
 inline constexpr const char* kCellLibrary = "/usr/share/qflow/tech/osu018/osu018_stdcells.lib";
 
+// The text of every module in a directory of RTL. Throws InputError naming `--source` when there are none.
+std::string modules_text(const std::filesystem::path& rtl);
+
 // The unit's whole text, package first. Throws InputError when a file of it is missing.
 std::string unit_source(const std::filesystem::path& rtl, const std::filesystem::path& generated);
 

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "testbench/csv_field.h"
+#include "testbench/prune/prune.h"
+
 namespace feline {
 namespace {
 
@@ -20,15 +23,6 @@ void add_errors(nlohmann::ordered_json& json, const Errors& errors, const Errors
   json["worst_row"] = errors.worst_row;
 }
 
-nlohmann::ordered_json config_json(const Config& config) {
-  nlohmann::ordered_json json;
-  for (const ConfigField& each : kConfigFields) json[std::string(each.name)] = config.*each.field;
-  for (const FeatureField& each : kFeatureFields) {
-    json["features"][std::string(each.name)] = config.features.*each.field;
-  }
-  return json;
-}
-
 nlohmann::ordered_json measurement_json(const SceneSearch& search, const SearchOptions& options, std::size_t place) {
   const Measurement& measurement = search.measurements[place];
   const Candidate& candidate = measurement.candidate;
@@ -40,18 +34,8 @@ nlohmann::ordered_json measurement_json(const SceneSearch& search, const SearchO
   // Cycles are there already.
   json[cost_name(options.cost)] = *search.costs[place];
   add_errors(json, errors_of(measurement, options.truth), errors_of(search.measurements[search.full], options.truth));
-  json["configuration"] = config_json(measurement.hardware);
+  json["configuration"] = config_to_json(measurement.hardware);
   return json;
-}
-
-std::string csv_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
-
-// A user's own file may be called anything.
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted;
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return fmt::format("\"{}\"", quoted);
 }
 
 }  // namespace
@@ -107,7 +91,7 @@ nlohmann::ordered_json budget_json(const std::vector<SceneSearch>& searches, con
                                  {"frames", search.plan.frame_count},
                                  {"candidates", search.measurements.size()}};
     scene["full"] = measurement_json(search, options, search.full);
-    scene["full"]["configuration"] = config_json(kDefaultConfig);
+    scene["full"]["configuration"] = config_to_json(kDefaultConfig);
     scene["full"][cost_name(options.cost)] = search.full_cost;
     const Errors& full = errors_of(search.measurements[search.full], options.truth);
     for (const BudgetChoice& choice : search.choices) {
@@ -148,9 +132,9 @@ std::string budget_csv(const std::vector<SceneSearch>& searches, const SearchOpt
                          kKernelNames[static_cast<std::size_t>(candidate.kernel)],
                          kParameterSetNames[static_cast<std::size_t>(candidate.parameters)], candidate.max_probes,
                          widths.mantissa_bits, widths.table_side, widths.subtexel_bits, widths.level_fraction_bits,
-                         widths.weight_bits, csv_number(errors.psnr()), csv_number(loss(errors, full)),
-                         csv_number(255 * errors.worst), each.cycles);
-      if (has_cost) csv += fmt::format(",{}", search.costs[i] ? csv_number(*search.costs[i]) : "");
+                         widths.weight_bits, csv_field(errors.psnr()), csv_field(loss(errors, full)),
+                         csv_field(255 * errors.worst), each.cycles);
+      if (has_cost) csv += fmt::format(",{}", search.costs[i] ? csv_field(*search.costs[i]) : "");
       std::string budgets;
       for (const BudgetChoice& choice : search.choices) {
         if (choice.chosen == i) budgets += fmt::format("{}{}", budgets.empty() ? "" : "; ", budget_name(choice.budget));

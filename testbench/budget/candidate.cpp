@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <span>
 
 #include "testbench/prune/prune.h"
@@ -124,8 +123,7 @@ Config hardware_of(const Candidate& candidate, const SamplerState<kDefaultConfig
   meet(Reach::kSrgb, sampler.srgb.raw());
   meet(Reach::kWidth, sampler.width.raw());
   meet(Reach::kHeight, sampler.height.raw());
-  const auto is_power = [](std::int64_t side) { return std::has_single_bit(static_cast<std::uint64_t>(side)); };
-  meet(Reach::kPowerOfTwo, is_power(sampler.width.raw()) && is_power(sampler.height.raw()) ? 1 : 0);
+  meet(Reach::kPowerOfTwo, are_powers_of_two(sampler.width.raw(), sampler.height.raw()) ? 1 : 0);
   meet(Reach::kDerivatives, use.derivatives);
   meet(Reach::kPositionBitsS, use.position_bits);
   meet(Reach::kExponent, use.least_exponent);

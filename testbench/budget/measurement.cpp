@@ -18,17 +18,6 @@ namespace {
 constexpr std::uint64_t kTruthShare = 1000;
 constexpr std::uint64_t kVariantsShare = 4000;
 
-nlohmann::ordered_json json_of(const Errors& errors) {
-  return {{"mean_square", errors.mean_square},
-          {"worst", errors.worst},
-          {"worst_column", errors.worst_column},
-          {"worst_row", errors.worst_row}};
-}
-
-Errors errors_from(const nlohmann::ordered_json& json) {
-  return {json.at("mean_square"), json.at("worst"), json.at("worst_column"), json.at("worst_row")};
-}
-
 struct UseField {
   std::string_view name;
   int VariantUse::*field;
@@ -63,12 +52,14 @@ nlohmann::ordered_json BudgetScene::to_json(const Raw& raw) {
   nlohmann::ordered_json use{{"probes", raw.use.probes}};
   for (const UseField& each : kUseNumbers) use[std::string(each.name)] = raw.use.*each.field;
   for (const UseFlag& each : kUseFlags) use[std::string(each.name)] = raw.use.*each.field;
-  return {
-      {"gaussian", json_of(raw.gaussian)}, {"box", json_of(raw.box)}, {"nanoseconds", raw.nanoseconds}, {"use", use}};
+  return {{"gaussian", feline::to_json(raw.gaussian)},
+          {"box", feline::to_json(raw.box)},
+          {"nanoseconds", raw.nanoseconds},
+          {"use", use}};
 }
 
 BudgetScene::Raw BudgetScene::raw_from_json(const nlohmann::ordered_json& json) {
-  Raw raw{errors_from(json.at("gaussian")), errors_from(json.at("box")), json.at("nanoseconds"), {}};
+  Raw raw{errors_from_json(json.at("gaussian")), errors_from_json(json.at("box")), json.at("nanoseconds"), {}};
   const nlohmann::ordered_json& use = json.at("use");
   raw.use.probes = use.at("probes");
   for (const UseField& each : kUseNumbers) raw.use.*each.field = use.at(std::string(each.name));

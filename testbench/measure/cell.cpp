@@ -58,18 +58,15 @@ double rtl_cycles_of(const Exhibit& exhibit, const SamplerOptions& options) {
 }
 
 nlohmann::ordered_json to_json(const CellErrors& errors) {
-  nlohmann::ordered_json json{{"mean_square", errors.errors.mean_square},   {"worst", errors.errors.worst},
-                              {"worst_column", errors.errors.worst_column}, {"worst_row", errors.errors.worst_row},
-                              {"worst_frame", errors.worst_frame},          {"butteraugli", errors.butteraugli}};
+  nlohmann::ordered_json json = to_json(errors.errors);
+  json["worst_frame"] = errors.worst_frame;
+  json["butteraugli"] = errors.butteraugli;
   if (errors.shimmer) json["shimmer"] = *errors.shimmer;
   return json;
 }
 
-CellErrors errors_from_json(const nlohmann::ordered_json& json) {
-  CellErrors errors{{json.at("mean_square"), json.at("worst"), json.at("worst_column"), json.at("worst_row")},
-                    json.at("worst_frame"),
-                    std::nullopt,
-                    json.at("butteraugli")};
+CellErrors cell_errors_from_json(const nlohmann::ordered_json& json) {
+  CellErrors errors{errors_from_json(json), json.at("worst_frame"), std::nullopt, json.at("butteraugli")};
   if (json.contains("shimmer")) errors.shimmer = json.at("shimmer").get<double>();
   return errors;
 }
@@ -115,8 +112,8 @@ Cell cell_from_json(const nlohmann::ordered_json& json) {
   Cell cell;
   cell.exhibit = json.at("exhibit");
   cell.contestant = json.at("contestant");
-  cell.gaussian = errors_from_json(json.at("gaussian"));
-  cell.box = errors_from_json(json.at("box"));
+  cell.gaussian = cell_errors_from_json(json.at("gaussian"));
+  cell.box = cell_errors_from_json(json.at("box"));
   cell.nanoseconds = json.at("nanoseconds");
   cell.cost = {json.at("probes"), json.at("texels"), json.at("cycles"), json.at("stamp_cycles")};
   if (json.contains("rtl_cycles")) cell.rtl_cycles = json.at("rtl_cycles").get<double>();

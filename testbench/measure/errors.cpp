@@ -31,6 +31,17 @@ double psnr_of(double mean_square) {
 double Errors::rmse() const { return std::sqrt(mean_square); }
 double Errors::psnr() const { return psnr_of(mean_square); }
 
+nlohmann::ordered_json to_json(const Errors& errors) {
+  return {{"mean_square", errors.mean_square},
+          {"worst", errors.worst},
+          {"worst_column", errors.worst_column},
+          {"worst_row", errors.worst_row}};
+}
+
+Errors errors_from_json(const nlohmann::ordered_json& json) {
+  return {json.at("mean_square"), json.at("worst"), json.at("worst_column"), json.at("worst_row")};
+}
+
 Errors compare(const FloatPicture& picture, const FloatPicture& truth, int channels) {
   Errors errors;
   double values = 0;

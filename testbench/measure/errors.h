@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <nlohmann/json.hpp>
+
 #include "testbench/measure/float_picture.h"
 
 namespace feline {
@@ -16,6 +18,8 @@ struct Errors {
   double rmse() const;
   double psnr() const;  // decibels below full; infinity for equal pictures
 };
+nlohmann::ordered_json to_json(const Errors& errors);
+Errors errors_from_json(const nlohmann::ordered_json& json);
 Errors compare(const FloatPicture& picture, const FloatPicture& truth, int channels);
 
 // Of a sequence: the mean square of the change of the error from one frame to the next, which the eye sees as shimmer.

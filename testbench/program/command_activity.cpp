@@ -4,11 +4,10 @@
 #include <array>
 #include <memory>
 
-#include "testbench/error.h"
-#include "testbench/page/process.h"
 #include "testbench/program/activity_options.h"
 #include "testbench/program/command_line.h"
 #include "testbench/program/commands.h"
+#include "testbench/program/unit_program.h"
 
 namespace feline {
 namespace {
@@ -21,27 +20,12 @@ struct ActivityCommand {
   std::vector<std::string> arguments;  // of the command line, for a pruned unit's own program
 };
 
-Activity of_pruned_unit(const ActivityCommand& command) {
-  const std::filesystem::path directory = command.unit;
-  const std::filesystem::path script = std::filesystem::path(command.source) / "testbench" / "prune" / "build.sh";
-  if (!std::filesystem::exists(script)) {
-    bad_input(command.source, "--source", "no testbench/prune/build.sh in it", "this project's sources");
-  }
-  if (!std::filesystem::exists(directory / "unit.h")) {
-    bad_input(command.unit, "--unit", "no unit.h in it", "a directory of feline prune");
-  }
-  const page::Finished built = page::run_process({script.string(), directory.string(), "feline_activity"}, "");
-  if (built.code != 0) throw std::runtime_error("the unit's build failed:\n" + built.output + built.errors);
-  std::vector<std::string> program{std::filesystem::absolute(directory / "build" / "feline_activity").string()};
-  program.insert(program.end(), command.arguments.begin(), command.arguments.end());
-  const page::Finished finished = page::run_process(program, "");
-  if (finished.code != 0) throw std::runtime_error("the pruned unit: " + finished.errors);
-  return activity_from_json(nlohmann::ordered_json::parse(finished.output));
-}
-
 int run_activity(const ActivityCommand& command) {
   command.options.frames.check();
-  const Activity activity = command.unit.empty() ? command.options.measure() : of_pruned_unit(command);
+  const Activity activity =
+      command.unit.empty()
+          ? command.options.measure()
+          : activity_from_json(run_unit_program(command.source, command.unit, "feline_activity", command.arguments));
   fmt::print("{}", command.json ? to_json(activity).dump(1) + "\n" : to_text(activity));
   return kHolds;
 }

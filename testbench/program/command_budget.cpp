@@ -60,11 +60,8 @@ int run_budget(const BudgetOptions& options) {
   const std::vector<ExhibitPlan> plans = options.exhibits.plans();
   page::check_gnuplot();
   const std::filesystem::path directory = options.output;
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error) bad_input(options.output, "--output", error.message(), "a directory, or where one can be made");
+  prepare_directory(options.output, {"budget.html", "budget.json", "budget.csv"});
   const Cache cache(options.cache.empty() ? directory / "cache" : std::filesystem::path(options.cache));
-  for (const char* const name : {"budget.html", "budget.json", "budget.csv"}) check_writable(directory / name);
   std::optional<Synthesis> synthesis;
   if (search.cost == CostKind::kGates) {
     const std::filesystem::path rtl = std::filesystem::path(options.source) / "rtl";

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <atomic>
-#include <charconv>
 #include <limits>
 #include <map>
 #include <mutex>
@@ -48,19 +47,9 @@ struct PreparedJob {
 
 std::optional<ReplayRange> parse_replay(const std::string& text, std::uint64_t lookups) {
   if (text.empty()) return std::nullopt;
-  ReplayRange range;
-  const char* const end = text.data() + text.size();
-  auto [at, error] = std::from_chars(text.data(), end, range.first);
-  range.last = range.first;
-  if (error == std::errc{} && at != end && *at == ':') {
-    const auto second = std::from_chars(at + 1, end, range.last);
-    at = second.ptr;
-    error = second.ec;
-  }
-  if (error != std::errc{} || at != end || range.last < range.first || range.last >= lookups) {
-    bad_input("command line", "--replay", text, fmt::format("a lookup or FIRST:LAST, 0 to {}", lookups - 1));
-  }
-  return range;
+  const auto range = parse_range(text, lookups);
+  if (!range) bad_input("command line", "--replay", text, fmt::format("a lookup or FIRST:LAST, 0 to {}", lookups - 1));
+  return ReplayRange{range->first, range->last};
 }
 
 PreparedJob scene_job(const CosimOptions& options, const std::shared_ptr<const Subject>& subject,

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 
+#include "testbench/atomic_file.h"
 #include "testbench/error.h"
 
 namespace feline {
@@ -62,6 +64,27 @@ std::size_t parse_name(const std::string& option, const std::string& value, std:
     if (names[i] == value) return i;
   }
   bad_input("command line", option, value, fmt::format("one of {}", fmt::join(names, ", ")));
+}
+
+std::optional<NumberRange> parse_range(const std::string& text, std::uint64_t count) {
+  NumberRange range;
+  const char* const end = text.data() + text.size();
+  auto [at, error] = std::from_chars(text.data(), end, range.first);
+  range.last = range.first;
+  if (error == std::errc{} && at != end && *at == ':') {
+    const auto second = std::from_chars(at + 1, end, range.last);
+    at = second.ptr;
+    error = second.ec;
+  }
+  if (error != std::errc{} || at != end || range.last < range.first || range.last >= count) return std::nullopt;
+  return range;
+}
+
+void prepare_directory(const std::string& directory, std::initializer_list<std::string_view> names) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error) bad_input(directory, "--output", error.message(), "a directory, or where one can be made");
+  for (const std::string_view name : names) check_writable(std::filesystem::path(directory) / name);
 }
 
 void refuse_empty(std::span<const std::string> arguments) {

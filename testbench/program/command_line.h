@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <initializer_list>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,6 +23,17 @@ std::vector<std::string> split_list(const std::string& option, const std::string
 
 // One of `names`, as its index; InputError naming the option, and all that is legal.
 std::size_t parse_name(const std::string& option, const std::string& value, std::span<const std::string_view> names);
+
+// "N" or "FIRST:LAST", 0 <= FIRST <= LAST < count; nothing for any other text.
+struct NumberRange {
+  std::uint64_t first = 0;
+  std::uint64_t last = 0;
+};
+std::optional<NumberRange> parse_range(const std::string& text, std::uint64_t count);
+
+// Makes a command's output directory, if need be, and checks that files of these names can be written there. Throws
+// InputError naming `--output`, or the file.
+void prepare_directory(const std::string& directory, std::initializer_list<std::string_view> names);
 
 // Throws InputError for an argument that is empty: a script's variable that was never set.
 void refuse_empty(std::span<const std::string> arguments);

@@ -6,6 +6,7 @@
 #include "testbench/atomic_file.h"
 #include "testbench/error.h"
 #include "testbench/page/gnuplot.h"
+#include "testbench/program/command_line.h"
 #include "testbench/program/commands.h"
 #include "testbench/program/frames.h"
 #include "testbench/program/frames_profile.h"
@@ -30,10 +31,7 @@ int run_profile(const ProfileOptions& options) {
   const std::filesystem::path directory = options.output;
   if (!options.output.empty()) {
     page::check_gnuplot();
-    std::error_code error;
-    std::filesystem::create_directories(directory, error);
-    if (error) bad_input(options.output, "--output", error.message(), "a directory, or where one can be made");
-    for (const char* const name : {"profile.json", "profile.html"}) check_writable(directory / name);
+    prepare_directory(options.output, {"profile.json", "profile.html"});
   }
   if (options.frames.given()) merge(profile, profile_of(options.frames));
   const std::string json = profile_to_json(profile);

@@ -8,10 +8,10 @@
 #include "tables/emit.h"
 #include "testbench/atomic_file.h"
 #include "testbench/error.h"
-#include "testbench/page/process.h"
 #include "testbench/program/command_line.h"
 #include "testbench/program/commands.h"
 #include "testbench/program/frames_profile.h"
+#include "testbench/program/unit_program.h"
 #include "testbench/prune/check.h"
 #include "testbench/prune/profile_json.h"
 #include "testbench/prune/prune.h"
@@ -40,48 +40,24 @@ void write_unit(const std::filesystem::path& directory, const Config& config, co
   outputs.commit();
 }
 
-PrunedCheck run_check(const PruneOptions& options) {
-  const std::filesystem::path directory = options.output;
-  const std::filesystem::path script = std::filesystem::path(options.source) / "testbench" / "prune" / "build.sh";
-  if (!std::filesystem::exists(script)) {
-    bad_input(options.source, "--source", "no testbench/prune/build.sh in it", "this project's sources, or --no-check");
-  }
-  const page::Finished built = page::run_process({script.string(), directory.string()}, "");
-  if (built.code != 0) throw std::runtime_error("the check's build failed:\n" + built.output + built.errors);
-  std::vector<std::string> command{std::filesystem::absolute(directory / "build" / "feline_pruned").string()};
-  command.insert(command.end(), options.frame_arguments.begin(), options.frame_arguments.end());
-  const page::Finished checked = page::run_process(command, "");
-  if (checked.code != 0 && checked.code != 1) throw std::runtime_error("the check failed:\n" + checked.errors);
-  return check_from_json(nlohmann::ordered_json::parse(checked.output));
-}
-
-nlohmann::ordered_json to_json(const Config& config) {
-  nlohmann::ordered_json json;
-  for (const ConfigField& each : kConfigFields) json[std::string(each.name)] = config.*each.field;
-  for (const FeatureField& each : kFeatureFields)
-    json["features"][std::string(each.name)] = config.features.*each.field;
-  return json;
-}
-
 int run_prune(const PruneOptions& options) {
   options.frames.check();
   Profile profile;
   for (const std::string& file : options.profiles) merge(profile, read_profile(file));
   const std::filesystem::path directory = options.output;
-  std::error_code error;
-  std::filesystem::create_directories(directory / "generated", error);
-  if (error) bad_input(options.output, "--output", error.message(), "a directory, or where one can be made");
-  for (const char* const name : {"unit.h", "prune.json"}) check_writable(directory / name);
+  prepare_directory(options.output, {"unit.h", "profile.json", "prune.json"});
+  prepare_directory((directory / "generated").string(), {"feline_pkg.sv"});
   if (options.profiles.empty()) profile = profile_of(options.frames);
   const Config config = pruned_config(profile);
   write_unit(directory, config, profile);
   nlohmann::ordered_json json{
-      {"profiled_lookups", profile.lookups}, {"left_out", left_out(config)}, {"configuration", to_json(config)}};
+      {"profiled_lookups", profile.lookups}, {"left_out", left_out(config)}, {"configuration", config_to_json(config)}};
   bool holds = true;
   std::string text;
   for (const std::string& line : left_out(config)) text += fmt::format("left out  {}\n", line);
   if (!options.no_check && options.frames.given()) {
-    const PrunedCheck check = run_check(options);
+    const PrunedCheck check =
+        check_from_json(run_unit_program(options.source, options.output, "feline_pruned", options.frame_arguments));
     const bool profiled_here = options.profiles.empty();
     holds = check.holds() && (!profiled_here || check.outside == 0);
     json["check"] = to_json(check);

@@ -47,11 +47,8 @@ int run_report(const ReportOptions& options) {
   survey_options.seed = options.seed;
   page::check_gnuplot();
   const std::filesystem::path directory = options.output;
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error) bad_input(options.output, "--output", error.message(), "a directory, or where one can be made");
+  prepare_directory(options.output, {"report.html", "report.json", "report.csv"});
   const Cache cache(options.cache.empty() ? directory / "cache" : std::filesystem::path(options.cache));
-  for (const char* const name : {"report.html", "report.json", "report.csv"}) check_writable(directory / name);
   const Survey survey = run_survey(survey_options, cache);
   const Report report = make_report(survey);
   OutputFiles outputs;

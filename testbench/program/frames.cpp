@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <optional>
 
@@ -62,30 +61,14 @@ std::string source_name(const std::filesystem::path& file) {
   return last + 1 == stem.size() ? stem : stem.substr(0, last + 1) + "#";
 }
 
-struct FrameRange {
-  int first = 0;
-  int last = 0;
-  int count() const { return last - first + 1; }
-};
-
 // Of a scene's frames those that are asked for: all, N, or FIRST:LAST.
-FrameRange frame_range(const Scene& scene, const std::string& text) {
-  const int count = frame_count(scene);
+NumberRange frame_range(const Scene& scene, const std::string& text) {
+  const auto count = static_cast<std::uint64_t>(frame_count(scene));
   if (text == "all") return {0, count - 1};
-  FrameRange range;
-  const char* const end = text.data() + text.size();
-  auto [at, error] = std::from_chars(text.data(), end, range.first);
-  range.last = range.first;
-  if (error == std::errc{} && at != end && *at == ':') {
-    const auto second = std::from_chars(at + 1, end, range.last);
-    at = second.ptr;
-    error = second.ec;
-  }
-  if (error != std::errc{} || at != end || range.first < 0 || range.last < range.first || range.last >= count) {
-    bad_input("command line", "--frames", text,
-              fmt::format("all, a frame or FIRST:LAST, 0 to {} of {}", count - 1, scene.name));
-  }
-  return range;
+  const auto range = parse_range(text, count);
+  if (range) return *range;
+  bad_input("command line", "--frames", text,
+            fmt::format("all, a frame or FIRST:LAST, 0 to {} of {}", count - 1, scene.name));
 }
 
 constexpr std::uint64_t kShare = 1024;  // of the progress, a visit
@@ -144,7 +127,8 @@ void FrameOptions::check() const {
 std::uint64_t FrameOptions::visits() const {
   std::uint64_t frames = files().size();
   for (const Scene* const scene : chosen_scenes()) {
-    frames += static_cast<std::uint64_t>(frame_range(*scene, frames_).count());
+    const NumberRange range = frame_range(*scene, frames_);
+    frames += range.last - range.first + 1;
   }
   return frames * sampler_.combinations().size();
 }
@@ -165,9 +149,9 @@ void FrameOptions::for_each(const std::string& what, const Visit& visit) const {
   for (const Scene* const scene : chosen_scenes()) {
     const std::string name(scene->name);
     texture.choose(name, name, [scene](MipEdge edge) { return scene->texture(MipFilter::kLanczos, edge); });
-    const FrameRange range = frame_range(*scene, frames_);
-    for (int i = range.first; i <= range.last; ++i) {
-      visit_all(name, make_gbuffer(frame(*scene, i), size.width, size.height));
+    const NumberRange range = frame_range(*scene, frames_);
+    for (std::uint64_t i = range.first; i <= range.last; ++i) {
+      visit_all(name, make_gbuffer(frame(*scene, static_cast<int>(i)), size.width, size.height));
     }
   }
   const std::vector<std::filesystem::path> gbuffers = files();

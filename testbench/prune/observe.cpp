@@ -2,7 +2,6 @@
 #include "testbench/prune/observe.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstdlib>
 #include <mutex>
 #include <vector>
@@ -174,8 +173,7 @@ void count_sampler(Profile& profile, const SamplerState<kFull>& sampler, std::ui
   count(Reach::kMaxLevel, sampler.max_level.raw());
   count(Reach::kWidth, sampler.width.raw());
   count(Reach::kHeight, sampler.height.raw());
-  const auto is_power = [](std::int64_t side) { return std::has_single_bit(static_cast<std::uint64_t>(side)); };
-  count(Reach::kPowerOfTwo, is_power(sampler.width.raw()) && is_power(sampler.height.raw()) ? 1 : 0);
+  count(Reach::kPowerOfTwo, are_powers_of_two(sampler.width.raw(), sampler.height.raw()) ? 1 : 0);
   count(Reach::kLastLevel, sampler.last_level.raw());
 }
 

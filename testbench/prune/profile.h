@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -81,6 +82,9 @@ inline constexpr std::size_t kReachCount = static_cast<std::size_t>(Reach::kStat
 // From here on a value is a beat's, before it the sampler state's.
 inline constexpr Reach kFirstOfBeats = Reach::kDerivatives;
 
+// From walk to fetch values are a probe's, all others a lookup's.
+constexpr bool is_of_probes(Reach reach) { return reach >= Reach::kProbeBitsS && reach <= Reach::kTranslucent; }
+
 // What is met once for every lookup or every probe, and what only for some of them, or twice.
 enum class Each : std::uint8_t { kLookup, kProbe, kSome };
 
@@ -100,6 +104,12 @@ inline const ReachFacts& facts(Reach reach) { return kReachFacts[static_cast<std
 
 // "table", "64": a value as JSON and pages name it.
 std::string value_name(const ReachFacts& of, std::int64_t value);
+
+// Of Reach::kPowerOfTwo.
+constexpr bool are_powers_of_two(std::int64_t width, std::int64_t height) {
+  return std::has_single_bit(static_cast<std::uint64_t>(width)) &&
+         std::has_single_bit(static_cast<std::uint64_t>(height));
+}
 
 // What was read of one texture. Its size is bounded by the texture's.
 struct TextureUse {

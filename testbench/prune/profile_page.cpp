@@ -48,7 +48,7 @@ std::string bars(const Profile& profile, const std::string& name, const std::str
   for (const auto& [reach, label] : all) {
     const Histogram& histogram = profile[reach];
     if (histogram.empty()) continue;
-    const auto whole = static_cast<double>(facts(reach).each == Each::kLookup ? profile.lookups : profile.probes);
+    const auto whole = static_cast<double>(is_of_probes(reach) ? profile.probes : profile.lookups);
     page::Series series{label, {}, style};
     const std::int64_t first = histogram.begin()->first;
     const std::int64_t last = histogram.rbegin()->first;
@@ -64,10 +64,10 @@ std::string bars(const Profile& profile, const std::string& name, const std::str
   if (plot.series.empty()) return {};
   plot.x.low = static_cast<double>(least) - 1;
   plot.x.high = static_cast<double>(most) + 1;
-  const bool of_lookups = facts(all.front().reach).each == Each::kLookup;
-  return page::figure(page::svg(plot), fmt::format("{}: {} to {}, of {}.", title, least, most,
-                                                   of_lookups ? fmt::format("{} lookups", profile.lookups)
-                                                              : fmt::format("{} probes", profile.probes)));
+  return page::figure(page::svg(plot),
+                      fmt::format("{}: {} to {}, of {}.", title, least, most,
+                                  is_of_probes(all.front().reach) ? fmt::format("{} probes", profile.probes)
+                                                                  : fmt::format("{} lookups", profile.lookups)));
 }
 
 std::string plot_section(const Profile& profile) {

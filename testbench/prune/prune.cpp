@@ -174,6 +174,15 @@ std::vector<std::string> left_out(const Config& config) {
   return lines;
 }
 
+nlohmann::ordered_json config_to_json(const Config& config) {
+  nlohmann::ordered_json json;
+  for (const ConfigField& each : kConfigFields) json[std::string(each.name)] = config.*each.field;
+  for (const FeatureField& each : kFeatureFields) {
+    json["features"][std::string(each.name)] = config.features.*each.field;
+  }
+  return json;
+}
+
 std::string unit_header(const Config& config) {
   std::string out =
       "// SPDX-License-Identifier: Apache-2.0\n// Written by `feline prune`.\ninline constexpr Config kUnit{\n";

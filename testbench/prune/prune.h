@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ bool is_within(const Config& needed, const Config& available);
 
 // What the default configuration has and this one has not, a line each: "modes: nearest, bilinear".
 std::vector<std::string> left_out(const Config& config);
+
+// Every field by its name, but for the words of the ROMs.
+nlohmann::ordered_json config_to_json(const Config& config);
 
 // The header of a build for this unit (tables/unit.h): defines kUnit.
 std::string unit_header(const Config& config);

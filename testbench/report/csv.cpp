@@ -7,26 +7,17 @@
 #include <array>
 #include <cmath>
 
+#include "testbench/csv_field.h"
 #include "testbench/report/standing.h"
 
 namespace feline {
 namespace {
 
-std::string number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
-
-// A user's own file may be called anything.
-std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted;
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return fmt::format("\"{}\"", quoted);
-}
-
 std::string told(const Cell& cell, double cost) {
-  return find_contestant(cell.contestant)->kind == Contestant::Kind::kLibrary ? "" : number(cost);
+  return find_contestant(cell.contestant)->kind == Contestant::Kind::kLibrary ? "" : csv_field(cost);
 }
 
-std::string shimmer(const CellErrors& errors) { return errors.shimmer ? number(std::sqrt(*errors.shimmer)) : ""; }
+std::string shimmer(const CellErrors& errors) { return errors.shimmer ? csv_field(std::sqrt(*errors.shimmer)) : ""; }
 
 struct Column {
   std::string_view name;
@@ -34,27 +25,27 @@ struct Column {
 };
 constexpr std::array kColumns{
     Column{"filter", [](const Cell& cell) { return cell.contestant; }},
-    Column{"rmse_gaussian", [](const Cell& cell) { return number(cell.gaussian.errors.rmse()); }},
-    Column{"psnr_gaussian", [](const Cell& cell) { return number(cell.gaussian.errors.psnr()); }},
-    Column{"worst_gaussian", [](const Cell& cell) { return number(cell.gaussian.errors.worst); }},
-    Column{"butteraugli_gaussian", [](const Cell& cell) { return number(cell.gaussian.butteraugli); }},
+    Column{"rmse_gaussian", [](const Cell& cell) { return csv_field(cell.gaussian.errors.rmse()); }},
+    Column{"psnr_gaussian", [](const Cell& cell) { return csv_field(cell.gaussian.errors.psnr()); }},
+    Column{"worst_gaussian", [](const Cell& cell) { return csv_field(cell.gaussian.errors.worst); }},
+    Column{"butteraugli_gaussian", [](const Cell& cell) { return csv_field(cell.gaussian.butteraugli); }},
     Column{"shimmer_gaussian", [](const Cell& cell) { return shimmer(cell.gaussian); }},
-    Column{"rmse_box", [](const Cell& cell) { return number(cell.box.errors.rmse()); }},
-    Column{"psnr_box", [](const Cell& cell) { return number(cell.box.errors.psnr()); }},
-    Column{"worst_box", [](const Cell& cell) { return number(cell.box.errors.worst); }},
-    Column{"butteraugli_box", [](const Cell& cell) { return number(cell.box.butteraugli); }},
+    Column{"rmse_box", [](const Cell& cell) { return csv_field(cell.box.errors.rmse()); }},
+    Column{"psnr_box", [](const Cell& cell) { return csv_field(cell.box.errors.psnr()); }},
+    Column{"worst_box", [](const Cell& cell) { return csv_field(cell.box.errors.worst); }},
+    Column{"butteraugli_box", [](const Cell& cell) { return csv_field(cell.box.butteraugli); }},
     Column{"shimmer_box", [](const Cell& cell) { return shimmer(cell.box); }},
-    Column{"nanoseconds", [](const Cell& cell) { return number(cell.nanoseconds); }},
+    Column{"nanoseconds", [](const Cell& cell) { return csv_field(cell.nanoseconds); }},
     Column{"probes", [](const Cell& cell) { return told(cell, cell.cost.probes); }},
     Column{"texels", [](const Cell& cell) { return told(cell, cell.cost.texels); }},
     Column{"cycles", [](const Cell& cell) { return told(cell, cell.cost.cycles); }},
     Column{"stamp_cycles", [](const Cell& cell) { return told(cell, cell.cost.stamp_cycles); }},
-    Column{"rtl_cycles", [](const Cell& cell) { return cell.rtl_cycles ? number(*cell.rtl_cycles) : ""; }},
+    Column{"rtl_cycles", [](const Cell& cell) { return cell.rtl_cycles ? csv_field(*cell.rtl_cycles) : ""; }},
 };
 
 void add_rows(std::string& csv, const std::string& scene, const std::vector<Cell>& cells) {
   for (const Cell& cell : cells) {
-    csv += field(scene);
+    csv += csv_field(scene);
     for (const Column& column : kColumns) csv += fmt::format(",{}", column.of(cell));
     csv += fmt::format(",{}\n", fmt::join(fronts_of(cells, cell), " "));
   }

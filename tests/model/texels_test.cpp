@@ -6,6 +6,7 @@
 #include "tests/support/describe.h"
 #include "tests/support/lookups.h"
 #include "tests/support/oracle.h"
+#include "tests/support/pruned_configs.h"
 #include "tests/support/samplers.h"
 
 namespace feline {
@@ -120,6 +121,19 @@ TEST(accumulate, equals_exact_arithmetic) {
 }
 
 // The whole unit, 300,000 lookups of every kind into every shape, format, mode and wrap, against the whole oracle.
+// Weights that a configuration leaves out sum to nothing; the lookup is then unsupported.
+TEST(accumulate, channels_left_out_are_constant) {
+  FilterBeat<kSimpleUnit> beat;
+  for (auto& channel : beat.colour)
+    channel = channel.from_raw(std::int64_t{255} << Formats<kSimpleUnit>::kFiltered.fraction_bits);
+  beat.first = beat.last = beat.last.from_raw(1);
+  Accumulator<kSimpleUnit> sum;
+  const auto got = accumulate<kSimpleUnit>(beat, sum);
+  ASSERT_TRUE(got.has_value());
+  EXPECT_EQ(got->colour[0].raw(), 0);
+  EXPECT_EQ(got->colour[3].raw(), std::int64_t{255} << kSimpleUnit.pixel_fraction_bits);
+}
+
 TEST(unit, equals_exact_arithmetic) {
   const SeedTrace trace(__FILE__, __LINE__);
   Random random = random_for("model_unit.equals_exact_arithmetic");

@@ -6,36 +6,18 @@
 #include <nlohmann/json.hpp>
 
 #include "testbench/gbuffer.h"
-#include "tests/testbench/run_program.h"
-#include "tests/testbench/temp_dir.h"
+#include "tests/testbench/feline_program.h"
 
 namespace feline {
 namespace {
 
 namespace fs = std::filesystem;
 
-Outcome run(const std::string& arguments, const std::string& before = "") {
-  return run_program(FELINE_PROGRAM, arguments, before);
-}
-
-// Wrong input: exit code 2, a message that holds all of `parts`, and nothing new in the directory.
-void expect_refused(const TempDir& dir, const std::string& arguments, const std::vector<std::string>& parts,
-                    const std::string& before = "") {
-  const auto files = dir.file_count();
-  const Outcome outcome = run(arguments, before);
-  EXPECT_EQ(outcome.code, 2) << arguments << "\n" << outcome.text;
-  for (const std::string& part : parts) {
-    EXPECT_NE(outcome.text.find(part), std::string::npos) << arguments << ": no \"" << part << "\" in\n"
-                                                          << outcome.text;
-  }
-  EXPECT_EQ(dir.file_count(), files) << arguments;
-}
-
 std::string path(const TempDir& dir, const char* name) { return (dir / name).string(); }
 
 TEST(program, help_shows_an_example) {
   for (const char* const command : {"tables", "scene", "render", "explain", "vectors", "cosim", "report", "figure",
-                                    "stability", "profile", "prune", "shortcuts"}) {
+                                    "stability", "profile", "prune", "shortcuts", "area", "activity", "budget"}) {
     const Outcome outcome = run(std::string(command) + " --help");
     EXPECT_EQ(outcome.code, 0);
     EXPECT_NE(outcome.text.find("Example: feline " + std::string(command)), std::string::npos) << outcome.text;

@@ -112,7 +112,7 @@ TEST(area, program_says_what_is_missing) {
             std::string::npos);
   EXPECT_NE(complaint("--stage walk,trot").find("--stage: got trot, legal is one of group, footprint"),
             std::string::npos);
-  EXPECT_NE(complaint("--generated /nonexistent").find("/nonexistent: --generated: got no directory"),
+  EXPECT_NE(complaint("--generated /nonexistent").find("/nonexistent: --generated: got no such files"),
             std::string::npos);
 }
 

@@ -9,6 +9,7 @@
 #include "testbench/measure/contestant.h"
 #include "testbench/prune/observe.h"
 #include "testbench/prune/prune.h"
+#include "tests/testbench/budget/hardware_for.h"
 #include "tests/testbench/html_check.h"
 #include "tests/testbench/measure/surfaces.h"
 #include "tests/testbench/temp_dir.h"
@@ -129,15 +130,7 @@ TEST(budget_hardware, is_the_pruned_unit) {
 
 TEST(budget_hardware, a_narrower_unit_needs_no_more) {
   const Exhibit exhibit = small_plan("bricks").build();
-  const Surface& surface = *exhibit.surface;
-  const auto hardware = [&](const Candidate& candidate) {
-    const auto sampler = make_sampler<kDefaultConfig>(sampler_options(candidate), surface.texture, surface.memory);
-    const std::vector<Lookup>& lookups = exhibit.frames.front().gbuffer.lookups;
-    std::vector<std::array<float, 4>> colours(lookups.size());
-    VariantUse use;
-    variant_of(candidate.widths).sample(sampler, surface.memory, lookups, colours, use);
-    return hardware_of(candidate, sampler, use);
-  };
+  const auto hardware = [&](const Candidate& candidate) { return hardware_for(exhibit, candidate); };
   const Config whole = hardware(full_candidate(Kernel::kBilinear));
   EXPECT_TRUE(needs_no_more(whole, kDefaultConfig));
   EXPECT_FALSE(needs_no_more(kDefaultConfig, whole));

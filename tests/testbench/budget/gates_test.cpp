@@ -5,6 +5,7 @@
 
 #include <sstream>
 
+#include "tests/testbench/budget/hardware_for.h"
 #include "tests/testbench/measure/surfaces.h"
 #include "tests/testbench/temp_dir.h"
 
@@ -36,15 +37,7 @@ TEST(budget_gates, the_default_unit_is_the_generated_one) {
 // What the search assumes: a unit that needs no more than another one has no more gates.
 TEST(budget_gates_long, rise_with_every_need) {
   const Exhibit exhibit = plan_exhibit(small_scene("bricks"), 16, 16).build();
-  const Surface& surface = *exhibit.surface;
-  const auto hardware = [&](const Candidate& candidate) {
-    const auto sampler = make_sampler<kDefaultConfig>(sampler_options(candidate), surface.texture, surface.memory);
-    const std::vector<Lookup>& lookups = exhibit.frames.front().gbuffer.lookups;
-    std::vector<std::array<float, 4>> colours(lookups.size());
-    VariantUse use;
-    variant_of(candidate.widths).sample(sampler, surface.memory, lookups, colours, use);
-    return hardware_of(candidate, sampler, use);
-  };
+  const auto hardware = [&](const Candidate& candidate) { return hardware_for(exhibit, candidate); };
   // Each needs what the one before it does, and more.
   const std::vector<Candidate> rising{{{6, 8, 5, 5, 6}, Mode::kTrilinear, Kernel::kBilinear, ParameterSet::kExact, 1},
                                       {{8, 8, 5, 5, 6}, Mode::kTrilinear, Kernel::kBilinear, ParameterSet::kExact, 1},

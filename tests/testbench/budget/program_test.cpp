@@ -4,39 +4,19 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/testbench/feline_program.h"
 #include "tests/testbench/html_check.h"
-#include "tests/testbench/run_program.h"
-#include "tests/testbench/temp_dir.h"
 
 namespace feline {
 namespace {
 
 namespace fs = std::filesystem;
 
-Outcome run(const std::string& arguments, const std::string& before = "") {
-  return run_program(FELINE_PROGRAM, arguments, before);
-}
-
-std::string path(const TempDir& dir, const std::string& name) { return "'" + (dir / name).string() + "'"; }
-
-// Wrong input: exit code 2, a message that holds all of `parts`, and nothing new in the directory.
-void expect_refused(const TempDir& dir, const std::string& arguments, const std::vector<std::string>& parts,
-                    const std::string& before = "") {
-  const auto files = dir.file_count();
-  const Outcome outcome = run(arguments, before);
-  EXPECT_EQ(outcome.code, 2) << arguments << "\n" << outcome.text;
-  for (const std::string& part : parts) {
-    EXPECT_NE(outcome.text.find(part), std::string::npos) << arguments << ": no \"" << part << "\" in\n"
-                                                          << outcome.text;
-  }
-  EXPECT_EQ(dir.file_count(), files) << arguments;
-}
-
 constexpr const char* kSmall = "budget --space small --size 16 --scene repeat --output ";
 
 TEST(budget_program, writes_three_files) {
   const TempDir dir;
-  const Outcome outcome = run(kSmall + path(dir, "out"));
+  const Outcome outcome = run(kSmall + quoted_path(dir, "out"));
   ASSERT_EQ(outcome.code, 0) << outcome.text;
   for (const char* const name : {"budget.html", "budget.json", "budget.csv"}) {
     EXPECT_NE(outcome.text.find((dir / "out" / name).string()), std::string::npos) << name;
@@ -47,7 +27,7 @@ TEST(budget_program, writes_three_files) {
   EXPECT_EQ(json["holds"], true);
   EXPECT_EQ(json["scenes"][0]["budgets"].size(), 3U);
   // Again, from the cache: the same; as JSON, too.
-  const Outcome again = run(kSmall + path(dir, "out") + " --json");
+  const Outcome again = run(kSmall + quoted_path(dir, "out") + " --json");
   ASSERT_EQ(again.code, 0) << again.text;
   EXPECT_EQ(nlohmann::json::parse(again.text), json);
   EXPECT_EQ(read_bytes(dir / "out" / "budget.json"), written);
@@ -55,7 +35,7 @@ TEST(budget_program, writes_three_files) {
 
 TEST(budget_program, a_budget_that_none_holds) {
   const TempDir dir;
-  const std::string command = kSmall + path(dir, "out") + " --cost ns --truth box";
+  const std::string command = kSmall + quoted_path(dir, "out") + " --cost ns --truth box";
   const Outcome none = run(command + " --budget-worst 0");
   EXPECT_EQ(none.code, 1) << none.text;
   EXPECT_NE(none.text.find("none holds"), std::string::npos) << none.text;
@@ -70,25 +50,25 @@ TEST(budget_program, a_budget_that_none_holds) {
 TEST(budget_program, goes_on_after_it_was_killed) {
   const TempDir dir;
   const std::string command = "budget --space full --size 12 --scene repeat --json --output ";
-  const std::string cache = path(dir, "out/cache");
+  const std::string cache = quoted_path(dir, "out/cache");
   // As soon as a few variants are measured.
   const Outcome killed = run_program(
-      FELINE_PROGRAM, command + path(dir, "out") + " >/dev/null & pid=$!\n" + "while kill -0 $pid && [ $(ls " + cache +
-                          " | wc -l) -lt 5 ]; do sleep 0.02; done\n" + "kill -KILL $pid; wait $pid; exit $?");
+      FELINE_PROGRAM, command + quoted_path(dir, "out") + " >/dev/null & pid=$!\n" + "while kill -0 $pid && [ $(ls " +
+                          cache + " | wc -l) -lt 5 ]; do sleep 0.02; done\n" + "kill -KILL $pid; wait $pid; exit $?");
   EXPECT_EQ(killed.code, 128 + 9) << killed.text;
   EXPECT_FALSE(fs::exists(dir / "out" / "budget.json"));
   const auto known = std::distance(fs::directory_iterator(dir / "out" / "cache"), {});
-  const Outcome resumed = run(command + path(dir, "out"));
+  const Outcome resumed = run(command + quoted_path(dir, "out"));
   ASSERT_EQ(resumed.code, 0) << resumed.text;
   EXPECT_GT(std::distance(fs::directory_iterator(dir / "out" / "cache"), {}), known);
-  const Outcome whole = run(command + path(dir, "other"));
+  const Outcome whole = run(command + quoted_path(dir, "other"));
   ASSERT_EQ(whole.code, 0) << whole.text;
   EXPECT_EQ(resumed.text, whole.text);
 }
 
 TEST(budget_program, refuses_and_says_what_is_legal) {
   const TempDir dir;
-  const std::string output = " --output " + path(dir, "out");
+  const std::string output = " --output " + quoted_path(dir, "out");
   expect_refused(dir, "budget --scene moon" + output, {"moon", "bricks"});
   expect_refused(dir, "budget --scene bricks,bricks" + output, {"--scene", "each once"});
   expect_refused(dir, "budget --size 0" + output, {"--size", "0", "1 to 16384"});
@@ -104,10 +84,10 @@ TEST(budget_program, refuses_and_says_what_is_legal) {
   const std::string small = "budget --space small --size 8 --scene repeat";
   expect_refused(dir, small + " --output /proc/none/out", {"--output", "/proc/none/out", "directory"});
   write_bytes(dir / "file", "");
-  expect_refused(dir, small + " --output " + path(dir, "file"), {"--output", "file", "directory"});
+  expect_refused(dir, small + " --output " + quoted_path(dir, "file"), {"--output", "file", "directory"});
   expect_refused(dir, small + output, {"gnuplot-nox"}, "PATH=/none");
   ASSERT_TRUE(fs::create_directory(dir / "out"));
-  expect_refused(dir, small + output + " --cache " + path(dir, "file"), {"cache", "file", "directory"});
+  expect_refused(dir, small + output + " --cache " + quoted_path(dir, "file"), {"cache", "file", "directory"});
   fs::create_directory(dir / "out" / "budget.json");
   expect_refused(dir, small + output, {"budget.json"});
   EXPECT_FALSE(fs::exists(dir / "out" / "budget.html"));

@@ -65,6 +65,11 @@ TEST(profile_page, is_whole) {
   const std::string html = profile_page(three_lookups());
   EXPECT_EQ(html_fault(html), "");
   EXPECT_NE(html.find("3 of 256 are reached"), std::string::npos);
+  for (const std::string part : {"Probes of a lookup: ", "Exponent of the gradients: "}) {
+    const std::size_t caption = html.find(part);
+    ASSERT_NE(caption, std::string::npos) << part;
+    EXPECT_NE(html.substr(caption, html.find('<', caption) - caption).find(", of 3 lookups."), std::string::npos);
+  }
   EXPECT_NE(html.find("a &lt;texture&gt;"), std::string::npos);
   EXPECT_EQ(html_fault(profile_page(Profile{})), "");
 }

@@ -7,40 +7,20 @@
 #include "testbench/image.h"
 #include "testbench/measure/contestant.h"
 #include "testbench/scenes/scene.h"
+#include "tests/testbench/feline_program.h"
 #include "tests/testbench/html_check.h"
 #include "tests/testbench/measure/surfaces.h"
-#include "tests/testbench/run_program.h"
-#include "tests/testbench/temp_dir.h"
 
 namespace feline {
 namespace {
 
 namespace fs = std::filesystem;
 
-Outcome run(const std::string& arguments, const std::string& before = "") {
-  return run_program(FELINE_PROGRAM, arguments, before);
-}
-
-std::string path(const TempDir& dir, const std::string& name) { return "'" + (dir / name).string() + "'"; }
-
-// Wrong input: exit code 2, a message that holds all of `parts`, and nothing new in the directory.
-void expect_refused(const TempDir& dir, const std::string& arguments, const std::vector<std::string>& parts,
-                    const std::string& before = "") {
-  const auto files = dir.file_count();
-  const Outcome outcome = run(arguments, before);
-  EXPECT_EQ(outcome.code, 2) << arguments << "\n" << outcome.text;
-  for (const std::string& part : parts) {
-    EXPECT_NE(outcome.text.find(part), std::string::npos) << arguments << ": no \"" << part << "\" in\n"
-                                                          << outcome.text;
-  }
-  EXPECT_EQ(dir.file_count(), files) << arguments;
-}
-
 constexpr const char* kSmall = "report --size 16 --scene repeat,spin --filter trilinear,ewa,unit_table --output ";
 
 TEST(report_program, writes_three_files) {
   const TempDir dir;
-  const Outcome outcome = run(kSmall + path(dir, "out"));
+  const Outcome outcome = run(kSmall + quoted_path(dir, "out"));
   ASSERT_EQ(outcome.code, 0) << outcome.text;
   for (const char* const name : {"report.html", "report.json", "report.csv"}) {
     EXPECT_NE(outcome.text.find((dir / "out" / name).string()), std::string::npos) << name;
@@ -58,7 +38,7 @@ TEST(report_program, writes_three_files) {
 
   // Again, from the cache: the same, times included; as JSON, too.
   const std::string page = read_bytes(dir / "out" / "report.html");
-  const Outcome again = run(kSmall + path(dir, "out") + " --json");
+  const Outcome again = run(kSmall + quoted_path(dir, "out") + " --json");
   ASSERT_EQ(again.code, 0) << again.text;
   EXPECT_EQ(nlohmann::json::parse(again.text), json);
   EXPECT_EQ(read_bytes(dir / "out" / "report.html"), page);
@@ -68,8 +48,8 @@ TEST(report_program, writes_three_files) {
 
 TEST(report_program, a_budget_and_a_cache_elsewhere) {
   const TempDir dir;
-  const std::string command = "report --size 8 --scene repeat --filter nearest --json --cache " + path(dir, "known") +
-                              " --output " + path(dir, "out");
+  const std::string command = "report --size 8 --scene repeat --filter nearest --json --cache " +
+                              quoted_path(dir, "known") + " --output " + quoted_path(dir, "out");
   const Outcome none = run(command + " --budget 0");
   ASSERT_EQ(none.code, 0) << none.text;
   EXPECT_EQ(nlohmann::json::parse(none.text)["missing"], 4);
@@ -83,7 +63,7 @@ TEST(report_program, a_budget_and_a_cache_elsewhere) {
 
 TEST(report_program, refuses_and_says_what_is_legal) {
   const TempDir dir;
-  const std::string output = " --output " + path(dir, "out");
+  const std::string output = " --output " + quoted_path(dir, "out");
   expect_refused(dir, "report --scene moon" + output, {"moon", "bricks"});
   expect_refused(dir, "report --scene bricks,bricks" + output, {"--scene", "each once"});
   expect_refused(dir, "report --scene bricks --filter best" + output, {"--filter", "best", "ewa", "unit_table", "all"});
@@ -97,13 +77,13 @@ TEST(report_program, refuses_and_says_what_is_legal) {
   expect_refused(dir, "report --srgb" + output, {"--srgb", "--texture"});
   expect_refused(dir, "report --gbuffer a.exr --texture a.png --scene bricks" + output, {"--scene", "--gbuffer"});
   expect_refused(dir, "report --gbuffer a.exr --texture a.png --size 8" + output, {"--size", "--gbuffer"});
-  expect_refused(dir, "report --gbuffer " + path(dir, "none.exr") + " --texture a.png" + output, {"none.exr"});
+  expect_refused(dir, "report --gbuffer " + quoted_path(dir, "none.exr") + " --texture a.png" + output, {"none.exr"});
   const std::string small = "report --size 8 --scene repeat --filter nearest";
   expect_refused(dir, small + " --output /proc/none/out", {"--output", "/proc/none/out", "directory"});
   write_bytes(dir / "file", "");
-  expect_refused(dir, small + " --output " + path(dir, "file"), {"--output", "file", "directory"});
+  expect_refused(dir, small + " --output " + quoted_path(dir, "file"), {"--output", "file", "directory"});
   ASSERT_TRUE(fs::create_directory(dir / "out"));
-  expect_refused(dir, small + output + " --cache " + path(dir, "file"), {"cache", "file", "directory"});
+  expect_refused(dir, small + output + " --cache " + quoted_path(dir, "file"), {"cache", "file", "directory"});
   fs::create_directory(dir / "out" / "report.json");
   expect_refused(dir, small + output, {"report.json"});
   EXPECT_FALSE(fs::exists(dir / "out" / "report.html"));
@@ -113,7 +93,7 @@ TEST(report_program, refuses_and_says_what_is_legal) {
 TEST(report_program, without_gnuplot_nothing_is_measured) {
   const TempDir dir;
   const Outcome outcome =
-      run("report --size 8 --scene repeat --filter nearest --output " + path(dir, "out"), "PATH=/none");
+      run("report --size 8 --scene repeat --filter nearest --output " + quoted_path(dir, "out"), "PATH=/none");
   EXPECT_EQ(outcome.code, 2) << outcome.text;
   EXPECT_NE(outcome.text.find("gnuplot-nox"), std::string::npos) << outcome.text;
   EXPECT_FALSE(fs::exists(dir / "out"));
@@ -121,13 +101,14 @@ TEST(report_program, without_gnuplot_nothing_is_measured) {
 
 TEST(report_program, your_own_files) {
   const TempDir dir;
-  ASSERT_EQ(run("scene --scene repeat --size 24x16 --output " + path(dir, "")).code, 0);
+  ASSERT_EQ(run("scene --scene repeat --size 24x16 --output " + quoted_path(dir, "")).code, 0);
   const std::string name = "it's, a \"view\"";
   fs::rename(dir / "repeat.exr", dir / (name + ".exr"));
-  ASSERT_EQ(std::system(("oiiotool --pattern noise 32x32 3 -o " + path(dir, "noise.png")).c_str()), 0);
-  const Outcome outcome = run(
-      "report --gbuffer \"" + (dir / "it's, a \\\"view\\\".exr").string() + "\" --texture " + path(dir, "noise.png") +
-      " --wrap mirrored_repeat --filter nearest,unit_table --json --output " + path(dir, "out"));
+  ASSERT_EQ(std::system(("oiiotool --pattern noise 32x32 3 -o " + quoted_path(dir, "noise.png")).c_str()), 0);
+  const Outcome outcome =
+      run("report --gbuffer \"" + (dir / "it's, a \\\"view\\\".exr").string() + "\" --texture " +
+          quoted_path(dir, "noise.png") + " --wrap mirrored_repeat --filter nearest,unit_table --json --output " +
+          quoted_path(dir, "out"));
   ASSERT_EQ(outcome.code, 0) << outcome.text;
   const auto scene = nlohmann::json::parse(outcome.text)["scenes"][0];
   EXPECT_EQ(scene["scene"], name);
@@ -138,12 +119,12 @@ TEST(report_program, your_own_files) {
   EXPECT_EQ(html_fault(html), "");
   EXPECT_NE(html.find("projected affinely"), std::string::npos);
   expect_refused(dir,
-                 "report --gbuffer " + path(dir, "noise.png") + " --texture " + path(dir, "noise.png") + " --output " +
-                     path(dir, "out"),
+                 "report --gbuffer " + quoted_path(dir, "noise.png") + " --texture " + quoted_path(dir, "noise.png") +
+                     " --output " + quoted_path(dir, "out"),
                  {"noise.png", "s, t, dsdx"});
   expect_refused(dir,
-                 "report --wrap round --gbuffer " + path(dir, "noise.png") + " --texture " + path(dir, "noise.png") +
-                     " --output " + path(dir, "out"),
+                 "report --wrap round --gbuffer " + quoted_path(dir, "noise.png") + " --texture " +
+                     quoted_path(dir, "noise.png") + " --output " + quoted_path(dir, "out"),
                  {"--wrap", "round", "mirrored_repeat"});
 }
 
@@ -160,8 +141,8 @@ TEST(report_program, renders_by_any_filter) {
   for (const std::string filter : {"ewa", "rip_polygon", "vertex_max_staggered", "openimageio"}) {
     const bool told = filter != "openimageio";
     const Outcome outcome =
-        run("render --scene tessellated --size 24x16 --srgb --json --texture " + path(dir, "small.png") + " --filter " +
-            filter + " --output " + path(dir, filter + ".png") + (told ? " --map" : ""));
+        run("render --scene tessellated --size 24x16 --srgb --json --texture " + quoted_path(dir, "small.png") +
+            " --filter " + filter + " --output " + quoted_path(dir, filter + ".png") + (told ? " --map" : ""));
     ASSERT_EQ(outcome.code, 0) << outcome.text;
     const auto json = nlohmann::json::parse(outcome.text);
     EXPECT_EQ(json["filter"], filter);
@@ -180,18 +161,18 @@ TEST(report_program, renders_by_any_filter) {
 TEST(report_program, times_leave_out_what_is_made_once) {
   const TempDir dir;
   const Outcome outcome =
-      run("render --scene spin --size 8 --json --filter feline_table --output " + path(dir, "a.png"));
+      run("render --scene spin --size 8 --json --filter feline_table --output " + quoted_path(dir, "a.png"));
   ASSERT_EQ(outcome.code, 0) << outcome.text;
   EXPECT_LT(nlohmann::json::parse(outcome.text)["nanoseconds_a_pixel"], 30'000) << outcome.text;
 }
 
 TEST(report_program, a_filter_and_your_own_files) {
   const TempDir dir;
-  ASSERT_EQ(run("scene --scene repeat --size 24x16 --output " + path(dir, "")).code, 0);
+  ASSERT_EQ(run("scene --scene repeat --size 24x16 --output " + quoted_path(dir, "")).code, 0);
   for (const char* const from : {"--scene repeat --size 24x16", "--scene repeat --gbuffer "}) {
     const bool own = std::string(from).ends_with("gbuffer ");
-    ASSERT_EQ(run("render --filter ewa --output " + path(dir, own ? "own.png" : "scene.png") + " " + from +
-                  (own ? path(dir, "repeat.exr") : ""))
+    ASSERT_EQ(run("render --filter ewa --output " + quoted_path(dir, own ? "own.png" : "scene.png") + " " + from +
+                  (own ? quoted_path(dir, "repeat.exr") : ""))
                   .code,
               0);
   }
@@ -200,7 +181,7 @@ TEST(report_program, a_filter_and_your_own_files) {
 
 TEST(report_program, a_filter_is_not_the_unit) {
   const TempDir dir;
-  const std::string render = "render --scene repeat --size 8 --output " + path(dir, "a.png") + " --filter ";
+  const std::string render = "render --scene repeat --size 8 --output " + quoted_path(dir, "a.png") + " --filter ";
   expect_refused(dir, render + "best", {"--filter", "best", "ewa", "openimageio"});
   expect_refused(dir, render + "unit_table", {"--filter", "unit_table", "ewa"});
   expect_refused(dir, render + "ewa --mode table", {"--mode", "table", "--filter"});
@@ -213,7 +194,7 @@ TEST(report_program, a_filter_is_not_the_unit) {
   expect_refused(dir, render + "openimageio --wrap clamp_to_border --border 1,0,0,1", {"--border", "1,0,0,1", "black"});
   expect_refused(dir, render + "openimageio", {"TMPDIR", "/nonexistent"}, "TMPDIR=/nonexistent");
   expect_refused(dir, "render --size 8 --filter ewa --output /nonexistent/a.png", {"/nonexistent"});
-  expect_refused(dir, "render --size 8 --filter ewa --output " + path(dir, "a.jpg"), {"a.jpg", ".png"});
+  expect_refused(dir, "render --size 8 --filter ewa --output " + quoted_path(dir, "a.jpg"), {"a.jpg", ".png"});
 }
 
 }  // namespace

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "testbench/program/unit_program.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "testbench/error.h"
+#include "testbench/page/process.h"
+#include "testbench/program/commands.h"
+#include "testbench/progress.h"
+
+namespace feline {
+
+nlohmann::ordered_json run_unit_program(const std::string& source, const std::string& directory,
+                                        const std::string& target, const std::vector<std::string>& arguments) {
+  const std::filesystem::path script = std::filesystem::path(source) / "testbench" / "prune" / "build.sh";
+  if (!std::filesystem::exists(script)) {
+    bad_input(source, "--source", "no testbench/prune/build.sh in it", "this project's sources");
+  }
+  const std::filesystem::path unit = std::filesystem::absolute(directory);
+  if (!std::filesystem::exists(unit / "unit.h")) {
+    bad_input(directory, "unit", "no unit.h in it", "a directory of feline prune");
+  }
+  // About as long as each other.
+  Progress progress("building and running the unit", 2);
+  const page::Finished built = page::run_process({script.string(), unit.string(), target}, "");
+  if (built.code != 0) throw std::runtime_error("the unit's build failed:\n" + built.output + built.errors);
+  progress.advance(1);
+  std::vector<std::string> program{(unit / "build" / target).string()};
+  program.insert(program.end(), arguments.begin(), arguments.end());
+  const page::Finished finished = page::run_process(program, "");
+  if (finished.code != kHolds && finished.code != kBroken) {
+    throw InputError(finished.errors.empty() ? fmt::format("{}: exit code {}", target, finished.code)
+                                             : finished.errors.substr(0, finished.errors.find_last_not_of('\n') + 1));
+  }
+  progress.advance(1);
+  return nlohmann::ordered_json::parse(finished.output);
+}
+
+}  // namespace feline

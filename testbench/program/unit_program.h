@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace feline {
+
+// Builds a program of a unit that `feline prune` wrote to `directory`, by testbench/prune/build.sh of the project's
+// sources, and runs it; gives the JSON that it prints, whether what it checks holds or not. `target` is feline_pruned
+// or feline_activity. Throws InputError when the sources or the unit are not there, or for the program's own exit code
+// 2; std::runtime_error when the build fails.
+nlohmann::ordered_json run_unit_program(const std::string& source, const std::string& directory,
+                                        const std::string& target, const std::vector<std::string>& arguments);
+
+}  // namespace feline
