@@ -6,14 +6,15 @@
 #include <algorithm>
 #include <span>
 
+#include "tables/supported.h"
 #include "testbench/prune/prune.h"
 
 namespace feline {
 namespace {
 
 constexpr std::array kParameterSets{kExact, kHighQuality, kHighEfficiency};
-constexpr std::array kSearchedProbes{1, 2, 3, 4, 6, 8, 12, 16};
-constexpr std::array kFewProbes{2, 4, 16};
+constexpr std::array kSearchedProbes{1, 2, 3, 4, 6, 8, 12, kDefaultConfig.max_probes};
+constexpr std::array kFewProbes{2, 4, kDefaultConfig.max_probes};
 constexpr std::array kFewParameters{ParameterSet::kExact, ParameterSet::kHighEfficiency};
 constexpr std::array kAllParameters{ParameterSet::kExact, ParameterSet::kHighQuality, ParameterSet::kHighEfficiency};
 constexpr std::array kKernels{Kernel::kBilinear, Kernel::kGaussian};
@@ -61,6 +62,8 @@ std::vector<Candidate> candidates_of(Space space) {
       is_full ? std::span<const int>(kSearchedProbes) : std::span<const int>(kFewProbes);
   std::vector<Candidate> candidates;
   const auto add = [&](const Candidate& candidate) {
+    if (!has_mode(kDefaultConfig.features, candidate.mode) || candidate.max_probes > kDefaultConfig.max_probes) return;
+    if (candidate.kernel == Kernel::kGaussian && !kDefaultConfig.features.gaussian) return;
     // What makes no difference is met once.
     const Candidate least = reduced(candidate);
     if (std::ranges::find(candidates, least) == candidates.end()) candidates.push_back(least);

@@ -22,7 +22,8 @@ void merge(VariantUse& into, const VariantUse& from) {
 
 const Variant& variant_of(const Widths& widths) {
   const Config config = config_of(widths);
-  for (const auto& variants : {variants_of_mantissa_6(), variants_of_mantissa_7(), variants_of_mantissa_8()}) {
+  for (const auto& variants :
+       {variants_of_first_mantissa(), variants_of_second_mantissa(), variants_of_third_mantissa()}) {
     const auto found = std::ranges::find(variants, config, &Variant::config);
     if (found != variants.end()) return *found;
   }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -38,13 +40,35 @@ struct Variant {
                  std::span<const Lookup> lookups, std::span<std::array<float, 4>> colours, VariantUse& use);
 };
 
+// Of a width, rising: the default configuration's, and before it what is narrower of two.
+class WidthChoices {
+ public:
+  constexpr WidthChoices(int widest, int low, int middle) {
+    for (const int each : {low, middle}) {
+      if (each < widest && (count_ == 0 || each > back())) choices_[count_++] = each;
+    }
+    choices_[count_++] = widest;
+  }
+  constexpr const int* begin() const { return choices_.data(); }
+  constexpr const int* end() const { return begin() + count_; }
+  constexpr std::size_t size() const { return count_; }
+  constexpr int front() const { return choices_[0]; }
+  constexpr int back() const { return choices_[count_ - 1]; }
+  constexpr int operator[](std::size_t place) const { return choices_[place]; }
+
+ private:
+  std::array<int, 3> choices_{};
+  std::size_t count_ = 0;
+};
+
 // The widths that are searched; every combination is a variant. The widest is the default configuration.
 struct Widths {
-  static constexpr std::array kMantissaBits{6, 7, 8};
-  static constexpr std::array kTableSides{8, 16};  // rows and columns of the ellipse table
-  static constexpr std::array kSubtexelBits{5, 8};
-  static constexpr std::array kLevelFractionBits{5, 8};
-  static constexpr std::array kWeightBits{6, 8};
+  static constexpr WidthChoices kMantissaBits{kDefaultConfig.mantissa_bits, 6, 7};
+  // Of the ellipse table, which has at most so many rows and columns.
+  static constexpr WidthChoices kTableSides{std::max(kDefaultConfig.table_rows, kDefaultConfig.table_columns), 8, 8};
+  static constexpr WidthChoices kSubtexelBits{kDefaultConfig.subtexel_bits, 5, 5};
+  static constexpr WidthChoices kLevelFractionBits{kDefaultConfig.level_fraction_bits, 5, 5};
+  static constexpr WidthChoices kWeightBits{kDefaultConfig.weight_bits, 6, 6};
 
   int mantissa_bits = kMantissaBits.back();
   int table_side = kTableSides.back();
@@ -59,8 +83,8 @@ struct Widths {
 constexpr Config config_of(const Widths& widths) {
   Config config;
   config.mantissa_bits = widths.mantissa_bits;
-  config.table_rows = widths.table_side;
-  config.table_columns = widths.table_side;
+  config.table_rows = std::min(config.table_rows, widths.table_side);
+  config.table_columns = std::min(config.table_columns, widths.table_side);
   config.subtexel_bits = widths.subtexel_bits;
   config.level_fraction_bits = widths.level_fraction_bits;
   config.weight_bits = widths.weight_bits;
@@ -71,9 +95,10 @@ static_assert(config_of({}) == kDefaultConfig);
 // Throws std::out_of_range for widths that are not searched.
 const Variant& variant_of(const Widths& widths);
 
-// Those of one mantissa, in the order of the other widths. A source of its own each: each takes the compiler long.
-std::span<const Variant> variants_of_mantissa_6();
-std::span<const Variant> variants_of_mantissa_7();
-std::span<const Variant> variants_of_mantissa_8();
+// Those of one choice of mantissa, if there is one, in the order of the other widths. A source of its own each: each
+// takes the compiler long.
+std::span<const Variant> variants_of_first_mantissa();
+std::span<const Variant> variants_of_second_mantissa();
+std::span<const Variant> variants_of_third_mantissa();
 
 }  // namespace feline

@@ -115,14 +115,19 @@ constexpr Widths numbered_widths(int mantissa_bits, std::size_t number) {
   return widths;
 }
 
-template <int kMantissaBits>
+template <std::size_t kPlace>
 std::span<const Variant> variants_of_mantissa() {
-  static constexpr auto kVariants = []<std::size_t... kNumber>(std::index_sequence<kNumber...>) {
-    return std::array{Variant{config_of(numbered_widths(kMantissaBits, kNumber)),
-                              &sample_variant<config_of(numbered_widths(kMantissaBits, kNumber))>}...};
+  if constexpr (kPlace < Widths::kMantissaBits.size()) {
+    static constexpr auto kVariants = []<std::size_t... kNumber>(std::index_sequence<kNumber...>) {
+      constexpr int kMantissaBits = Widths::kMantissaBits[kPlace];
+      return std::array{Variant{config_of(numbered_widths(kMantissaBits, kNumber)),
+                                &sample_variant<config_of(numbered_widths(kMantissaBits, kNumber))>}...};
+    }
+    (std::make_index_sequence<kVariantsOfMantissa>());
+    return kVariants;
+  } else {
+    return {};
   }
-  (std::make_index_sequence<kVariantsOfMantissa>());
-  return kVariants;
 }
 
 }  // namespace feline

@@ -56,6 +56,9 @@ SearchOptions search_options(const BudgetOptions& options) {
 }
 
 int run_budget(const BudgetOptions& options) {
+  if (!kDefaultConfig.features.table_feline) {
+    bad_input("tables/config.h", "features.table_feline", "false", "true, which budgets count from");
+  }
   SearchOptions search = search_options(options);
   const std::vector<ExhibitPlan> plans = options.exhibits.plans();
   page::check_gnuplot();

@@ -126,11 +126,10 @@ void write_outputs(const CosimOptions& options, const std::vector<PreparedJob>& 
 }
 
 // The scenes of a command line; one without a name is the default scene, or no scene at all.
-std::vector<std::string> scene_list(const std::string& text) {
+std::vector<std::string> chosen_scene_names(const std::string& text) {
   if (text.empty()) return {""};
-  if (text != "all") return split_list("--scene", text);
   std::vector<std::string> names;
-  for (const Scene& scene : scenes()) names.emplace_back(scene.name);
+  for (const Scene* const scene : scene_list(text)) names.emplace_back(scene->name);
   return names;
 }
 
@@ -141,7 +140,7 @@ std::vector<PreparedJob> prepare_jobs(const CosimOptions& options) {
     return {random_job(options)};
   }
   std::vector<PreparedJob> jobs;
-  for (const std::string& name : scene_list(options.scenes)) {
+  for (const std::string& name : chosen_scene_names(options.scenes)) {
     std::map<MipEdge, std::shared_ptr<const Subject>> subjects;
     for (const SamplerOptions& choice : options.sampler.combinations()) {
       auto& subject = subjects[mip_edge(choice)];

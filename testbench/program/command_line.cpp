@@ -10,6 +10,7 @@
 
 #include "testbench/atomic_file.h"
 #include "testbench/error.h"
+#include "testbench/scenes/scene.h"
 
 namespace feline {
 namespace {
@@ -57,6 +58,16 @@ std::vector<std::string> split_list(const std::string& option, const std::string
     at = comma + 1;
   }
   return parts;
+}
+
+std::vector<const Scene*> scene_list(const std::string& text) {
+  std::vector<const Scene*> chosen;
+  if (text == "all") {
+    for (const Scene& scene : scenes()) chosen.push_back(&scene);
+    return chosen;
+  }
+  for (const std::string& name : split_list("--scene", text)) chosen.push_back(&find_scene(name));
+  return chosen;
 }
 
 std::size_t parse_name(const std::string& option, const std::string& value, std::span<const std::string_view> names) {

@@ -12,6 +12,8 @@
 
 namespace feline {
 
+struct Scene;
+
 // Checks of an option's value, whose message is "got VALUE, legal is LEAST to MOST"; --help shows the range.
 CLI::Validator whole_number(std::uint64_t least, std::uint64_t most);
 CLI::Validator number(double least, double most);
@@ -23,6 +25,9 @@ std::vector<std::string> split_list(const std::string& option, const std::string
 
 // One of `names`, as its index; InputError naming the option, and all that is legal.
 std::size_t parse_name(const std::string& option, const std::string& value, std::span<const std::string_view> names);
+
+// Built-in scenes: a list a,b, or all. Throws InputError naming `--scene` and what is legal.
+std::vector<const Scene*> scene_list(const std::string& text);
 
 // "N" or "FIRST:LAST", 0 <= FIRST <= LAST < count; nothing for any other text.
 struct NumberRange {

@@ -5,7 +5,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "tables/emit.h"
 #include "testbench/atomic_file.h"
 #include "testbench/error.h"
 #include "testbench/program/command_line.h"
@@ -29,24 +28,13 @@ struct PruneOptions {
   std::vector<std::string> frame_arguments;  // of the command line, for the check
 };
 
-// The unit and what it was made from, in a directory that testbench/prune/build.sh takes.
-void write_unit(const std::filesystem::path& directory, const Config& config, const Profile& profile) {
-  OutputFiles outputs;
-  outputs.write(directory / "unit.h", unit_header(config));
-  outputs.write(directory / "profile.json", profile_to_json(profile));
-  for (const GeneratedFile& file : generate(config, measured_roms(config))) {
-    outputs.write(directory / "generated" / file.name, file.text);
-  }
-  outputs.commit();
-}
-
 int run_prune(const PruneOptions& options) {
   options.frames.check();
   Profile profile;
   for (const std::string& file : options.profiles) merge(profile, read_profile(file));
   const std::filesystem::path directory = options.output;
-  prepare_directory(options.output, {"unit.h", "profile.json", "prune.json"});
-  prepare_directory((directory / "generated").string(), {"feline_pkg.sv"});
+  prepare_unit(directory);
+  prepare_directory(options.output, {"prune.json"});
   if (options.profiles.empty()) profile = profile_of(options.frames);
   const Config config = pruned_config(profile);
   write_unit(directory, config, profile);

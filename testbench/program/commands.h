@@ -24,6 +24,7 @@ void add_report(CLI::App& program, int& exit_code);
 void add_figure(CLI::App& program, int& exit_code);
 void add_area(CLI::App& program, int& exit_code);
 void add_shortcuts(CLI::App& program, int& exit_code);
+void add_savings(CLI::App& program, int& exit_code);
 void add_profile(CLI::App& program, int& exit_code);
 void add_budget(CLI::App& program, int& exit_code);
 // `arguments` is the whole command line, from which further commands are made.

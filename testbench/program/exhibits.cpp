@@ -28,12 +28,8 @@ std::vector<ExhibitPlan> ExhibitOptions::plans() const {
   if (!gbuffer.empty() || !texture.empty()) return {own()};
   const Size sides = parse_size("--size", size);
   std::vector<ExhibitPlan> chosen;
-  if (scenes == "all") {
-    for (const Scene& scene : feline::scenes()) chosen.push_back(plan_exhibit(scene, sides.width, sides.height));
-    return chosen;
-  }
-  for (const std::string& name : split_list("--scene", scenes)) {
-    chosen.push_back(plan_exhibit(find_scene(name), sides.width, sides.height));
+  for (const Scene* const scene : scene_list(scenes)) {
+    chosen.push_back(plan_exhibit(*scene, sides.width, sides.height));
   }
   return chosen;
 }

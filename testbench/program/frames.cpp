@@ -96,13 +96,7 @@ std::vector<std::filesystem::path> FrameOptions::files() const {
 }
 
 std::vector<const Scene*> FrameOptions::chosen_scenes() const {
-  std::vector<const Scene*> chosen;
-  if (scenes_ == "all") {
-    for (const Scene& scene : scenes()) chosen.push_back(&scene);
-  } else if (!scenes_.empty()) {
-    for (const std::string& name : split_list("--scene", scenes_)) chosen.push_back(&find_scene(name));
-  }
-  return chosen;
+  return scenes_.empty() ? std::vector<const Scene*>{} : scene_list(scenes_);
 }
 
 void FrameOptions::choose_default_scene() { scenes_ = scenes().front().name; }

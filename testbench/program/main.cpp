@@ -43,6 +43,7 @@ int run(const std::vector<std::string>& arguments, int argc, char** argv) {
   feline::add_activity(program, exit_code, arguments);
   feline::add_shortcuts(program, exit_code);
   feline::add_prune(program, exit_code, arguments);
+  feline::add_savings(program, exit_code);
   feline::add_profile(program, exit_code);
   feline::add_budget(program, exit_code);
   std::vector<std::string> names;

@@ -5,12 +5,32 @@
 
 #include <stdexcept>
 
+#include "tables/emit.h"
+#include "testbench/atomic_file.h"
 #include "testbench/error.h"
 #include "testbench/page/process.h"
+#include "testbench/program/command_line.h"
 #include "testbench/program/commands.h"
 #include "testbench/progress.h"
+#include "testbench/prune/profile_json.h"
+#include "testbench/prune/prune.h"
 
 namespace feline {
+
+void prepare_unit(const std::filesystem::path& directory) {
+  prepare_directory(directory.string(), {"unit.h", "profile.json"});
+  prepare_directory((directory / "generated").string(), {"feline_pkg.sv"});
+}
+
+void write_unit(const std::filesystem::path& directory, const Config& config, const Profile& profile) {
+  OutputFiles outputs;
+  outputs.write(directory / "unit.h", unit_header(config));
+  outputs.write(directory / "profile.json", profile_to_json(profile));
+  for (const GeneratedFile& file : generate(config, measured_roms(config))) {
+    outputs.write(directory / "generated" / file.name, file.text);
+  }
+  outputs.commit();
+}
 
 nlohmann::ordered_json run_unit_program(const std::string& source, const std::string& directory,
                                         const std::string& target, const std::vector<std::string>& arguments) {

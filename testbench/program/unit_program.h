@@ -6,7 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "testbench/prune/profile.h"
+
 namespace feline {
+
+// Makes the directory of a unit; throws InputError naming `--output` or a file that cannot be written there.
+void prepare_unit(const std::filesystem::path& directory);
+
+// The unit and what it was made from, in a directory that testbench/prune/build.sh takes.
+void write_unit(const std::filesystem::path& directory, const Config& config, const Profile& profile);
 
 // Builds a program of a unit that `feline prune` wrote to `directory`, by testbench/prune/build.sh of the project's
 // sources, and runs it; gives the JSON that it prints, whether what it checks holds or not. `target` is feline_pruned

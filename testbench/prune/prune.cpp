@@ -146,6 +146,25 @@ bool is_within(const Config& needed, const Config& available) {
   return true;
 }
 
+std::vector<PartSize> part_sizes(const Config& config) {
+  const FormatSet formats(config);
+  constexpr Config kFull = kDefaultConfig;
+  const auto present = [](const auto& mask, int words) {
+    int count = 0;
+    for (int word = 0; word < words; ++word) count += mask.has(static_cast<std::size_t>(word)) ? 1 : 0;
+    return count;
+  };
+  const int cells = config.table_rows * config.table_columns;
+  return {{"probes", config.max_probes, kFull.max_probes},
+          {"levels", formats.levels, F::kLevels},
+          {"side bits", config.max_size_log2, kFull.max_size_log2},
+          {"exponent bits", config.exponent_bits, kFull.exponent_bits},
+          {"position bits", formats.position.width(), F::kPosition.width()},
+          {"table cells", config.features.table_feline ? present(config.table_cells, cells) : 0,
+           kFull.table_rows * kFull.table_columns},
+          {"weight rows", present(config.weight_rows, formats.weight_rows), F::kWeightRows}};
+}
+
 std::vector<std::string> left_out(const Config& config) {
   std::vector<std::string> lines;
   std::vector<std::string_view> missing;
@@ -153,24 +172,9 @@ std::vector<std::string> left_out(const Config& config) {
     if (!(config.features.*each.field)) missing.push_back(each.name);
   }
   if (!missing.empty()) lines.push_back(fmt::format("features: {}", fmt::join(missing, ", ")));
-  const FormatSet formats(config);
-  const auto tell = [&](std::string_view what, int have, int full) {
-    if (have < full) lines.push_back(fmt::format("{}: {} of {}", what, have, full));
-  };
-  constexpr Config kFull = kDefaultConfig;
-  tell("probes", config.max_probes, kFull.max_probes);
-  tell("levels", formats.levels, F::kLevels);
-  tell("log2 of the largest side", config.max_size_log2, kFull.max_size_log2);
-  tell("exponent bits", config.exponent_bits, kFull.exponent_bits);
-  tell("bits of a position", formats.position.width(), F::kPosition.width());
-  const auto present = [](const auto& mask, int words) {
-    int count = 0;
-    for (int word = 0; word < words; ++word) count += mask.has(static_cast<std::size_t>(word)) ? 1 : 0;
-    return count;
-  };
-  const int cells = config.table_rows * config.table_columns;
-  tell("cells of the ellipse table", config.features.table_feline ? present(config.table_cells, cells) : 0, cells);
-  tell("rows of the weight table", present(config.weight_rows, formats.weight_rows), F::kWeightRows);
+  for (const PartSize& part : part_sizes(config)) {
+    if (part.have < part.full) lines.push_back(fmt::format("{}: {} of {}", part.what, part.have, part.full));
+  }
   return lines;
 }
 

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tables/config.h"
@@ -18,6 +19,14 @@ Config pruned_config(const Profile& profile, const Config& full = kDefaultConfig
 // Whether everything that a configuration needs is in another one: then whatever the first one's unit can do, the
 // second one's can.
 bool is_within(const Config& needed, const Config& available);
+
+// How much of a part a configuration has, and the default one.
+struct PartSize {
+  std::string_view what;  // "side bits": log2 of the largest side
+  int have = 0;
+  int full = 0;
+};
+std::vector<PartSize> part_sizes(const Config& config);
 
 // What the default configuration has and this one has not, a line each: "modes: nearest, bilinear".
 std::vector<std::string> left_out(const Config& config);

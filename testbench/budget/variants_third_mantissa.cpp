@@ -3,6 +3,6 @@
 
 namespace feline {
 
-std::span<const Variant> variants_of_mantissa_8() { return variants_of_mantissa<8>(); }
+std::span<const Variant> variants_of_third_mantissa() { return variants_of_mantissa<2>(); }
 
 }  // namespace feline

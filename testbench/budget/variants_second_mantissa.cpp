@@ -3,6 +3,6 @@
 
 namespace feline {
 
-std::span<const Variant> variants_of_mantissa_7() { return variants_of_mantissa<7>(); }
+std::span<const Variant> variants_of_second_mantissa() { return variants_of_mantissa<1>(); }
 
 }  // namespace feline

@@ -3,6 +3,6 @@
 
 namespace feline {
 
-std::span<const Variant> variants_of_mantissa_6() { return variants_of_mantissa<6>(); }
+std::span<const Variant> variants_of_first_mantissa() { return variants_of_mantissa<0>(); }
 
 }  // namespace feline
