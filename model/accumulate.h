@@ -7,8 +7,7 @@
 //        texels come back exactly, and the result lies within the texels that have weight: every texel is a multiple of
 //        the result's last bit, and rounding to its multiples is monotone.
 // Edges  first starts the sum anew, whatever was there. A channel that the configuration leaves out is 0, alpha one,
-// even
-//        where weights are missing.
+//        even where weights are missing.
 // Source WRL 99/1, 3.1 (accumulation), 3.2 (weights that sum to one).
 #pragma once
 
@@ -34,10 +33,12 @@ Fixed<Formats<kConfig>::kPixel> round_sum(std::int64_t sum) {
   return Fixed<F::kPixel>::from_raw(round_up_ties(sum, F::kAccumulated.fraction_bits - F::kPixel.fraction_bits));
 }
 
-// Of a channel that the configuration has no place for, whatever the weights: 0, alpha one.
+// A channel from its exact weighted sum. One that the configuration has no place for is 0, alpha one, whatever the
+// weights.
 template <Config kConfig>
-Fixed<Formats<kConfig>::kPixel> absent_channel(std::size_t channel) {
+Fixed<Formats<kConfig>::kPixel> finished_channel(std::size_t channel, std::int64_t sum) {
   using Pixel = Fixed<Formats<kConfig>::kPixel>;
+  if (has_channel(kConfig.features, static_cast<int>(channel))) return round_sum<kConfig>(sum);
   return channel == 3 ? Pixel::from_raw(std::int64_t{255} << kConfig.pixel_fraction_bits) : Pixel{};
 }
 
@@ -53,10 +54,7 @@ std::optional<AccumulateBeat<kConfig>> accumulate(const FilterBeat<kConfig>& fil
   AccumulateBeat<kConfig> beat;
   beat.tag = filter.tag;
   beat.status = sum.status;
-  for (std::size_t c = 0; c < 4; ++c) {
-    const bool kept = has_channel(kConfig.features, static_cast<int>(c));
-    beat.colour[c] = kept ? round_sum<kConfig>(sum.colour[c].raw()) : absent_channel<kConfig>(c);
-  }
+  for (std::size_t c = 0; c < 4; ++c) beat.colour[c] = finished_channel<kConfig>(c, sum.colour[c].raw());
   return beat;
 }
 

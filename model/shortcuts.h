@@ -164,10 +164,13 @@ class ShortcutUnit {
       counts_.second_levels += static_cast<std::int64_t>(used_);
       for (std::size_t c = 0; c < kChannels; ++c) fine[c] <<= kFraction;
     }
-    for (std::size_t c = 0; c < kChannels; ++c) beat.colour[c] = round_sum<kConfig>(fine[c]);
+    for (std::size_t c = 0; c < kChannels; ++c) beat.colour[c] = finished_channel<kConfig>(c, fine[c]);
+    // All texels have the same of these. Weights that a configuration leaves out sum to nothing.
+    std::int64_t weight = 0;
+    for (std::size_t i = 0; i < used_; ++i) weight += probes_[i].weight;
     for (std::size_t c = kChannels; c < 4; ++c) {
-      beat.colour[c] = round_sum<kConfig>(std::int64_t{decoded_[c][0]}
-                                          << (F::kAccumulated.fraction_bits - F::kChannel.fraction_bits));
+      const int fraction_bits = F::kAccumulated.fraction_bits - F::kChannel.fraction_bits - kConfig.weight_bits;
+      beat.colour[c] = finished_channel<kConfig>(c, (decoded_[c][0] * weight) << fraction_bits);
     }
   }
 

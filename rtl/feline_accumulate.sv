@@ -6,8 +6,8 @@
 // Rounds the exact weighted sum, U8.36, to 8 fraction bits: nearest, ties up. Weights sum to exactly one, so equal
 //        texels come back exactly, and the result lies within the texels that have weight: every texel is a multiple of
 //        the result's last bit, and rounding to its multiples is monotone.
-// Edges  first starts the sum anew, whatever was there. A channel that the configuration leaves out is 0, alpha one, even
-//        where weights are missing.
+// Edges  first starts the sum anew, whatever was there. A channel that the configuration leaves out is 0, alpha one,
+//        even where weights are missing.
 // Timing two registers: weighted | sum. A beat each cycle.
 // Source WRL 99/1, 3.1 (accumulation), 3.2 (weights that sum to one).
 `default_nettype none

@@ -36,6 +36,12 @@ void Progress::advance(std::uint64_t done) {
   draw(now_done, elapsed);
 }
 
+void Progress::show() {
+  if (!terminal_) return;
+  drawn_ = 1;
+  draw(done_, 0);
+}
+
 void Progress::pass_on(std::uint64_t done) {
   const std::uint64_t due = share_ * std::min(done, total_) / total_;
   std::uint64_t before = passed_on_;
@@ -49,9 +55,10 @@ void Progress::draw(std::uint64_t done, std::int64_t elapsed) {
   done = std::min(done, total_);
   const std::uint64_t full = kWidth * done / total_;
   const double part = static_cast<double>(done) / static_cast<double>(total_);
-  const auto left = static_cast<std::int64_t>(static_cast<double>(elapsed) * (1 / part - 1) / 1000);
-  fmt::print(stderr, "\r{} [{:=<{}}{: <{}}] {:3}%, {} s left\033[K", what_, "", full, "", kWidth - full,
-             100 * done / total_, left);
+  const std::string left =
+      done == 0 ? "" : fmt::format(", {:.0f} s left", static_cast<double>(elapsed) * (1 / part - 1) / 1000);
+  fmt::print(stderr, "\r{} [{:=<{}}{: <{}}] {:3}%{}\033[K", what_, "", full, "", kWidth - full, 100 * done / total_,
+             left);
   std::fflush(stderr);
 }
 

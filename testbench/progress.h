@@ -8,8 +8,8 @@
 
 namespace feline {
 
-// A bar on standard error with the time left, if that is a terminal and the work has taken two seconds. Safe to advance
-// from threads.
+// A bar on standard error with the time left, if that is a terminal and the work has taken two seconds or is shown.
+// Safe to advance from threads.
 class Progress {
  public:
   Progress(std::string what, std::uint64_t total);
@@ -20,6 +20,8 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
   ~Progress();
   void advance(std::uint64_t done);
+  // Draws it now, for work that does not advance for long.
+  void show();
   std::uint64_t done() const { return done_; }
 
  private:

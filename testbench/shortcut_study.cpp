@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "testbench/shortcut_study.h"
 
-#include <time.h>
-
 #include <algorithm>
 #include <optional>
 #include <type_traits>
@@ -10,6 +8,7 @@
 #include "model/lookup.h"
 #include "tables/pack.h"
 #include "testbench/progress.h"
+#include "testbench/thread_time.h"
 
 namespace feline {
 namespace {
@@ -19,29 +18,23 @@ struct Made {
   std::vector<PlanBeat<kDefaultConfig>> plans;
 };
 
-double thread_seconds() {
-  timespec now{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::ranges::nth_element(values, middle);
   return *middle;
 }
 
-// Seconds for all lookups; `sample` makes a pixel and hands its plan to a trace.
+// Nanoseconds for all lookups; `sample` makes a pixel and hands its plan to a trace.
 template <typename Sample>
 double render(const GBuffer& gbuffer, Made& made, Sample sample) {
-  const double start = thread_seconds();
+  const std::int64_t start = thread_nanoseconds();
   for (std::size_t i = 0; i < gbuffer.lookups.size(); ++i) {
     const auto keep = [&]<typename Beat>(const Beat& beat) {
       if constexpr (std::is_same_v<Beat, PlanBeat<kDefaultConfig>>) made.plans[i] = beat;
     };
     made.pixels[i] = sample(make_request<kDefaultConfig>(gbuffer.lookups[i], static_cast<std::int64_t>(i)), keep);
   }
-  return thread_seconds() - start;
+  return static_cast<double>(thread_nanoseconds() - start);
 }
 
 bool same_bits(const Made& left, const Made& right) {
@@ -62,7 +55,7 @@ ShortcutStudy study_shortcuts(const GBuffer& gbuffer, const SamplerState<kDefaul
   struct Variant {
     ShortcutStudy::Row* row;
     std::optional<Shortcuts> shortcuts;  // none: stage by stage
-    std::vector<double> seconds{};
+    std::vector<double> times{};
   };
   ShortcutStudy study;
   study.plain.name = "plain";
@@ -85,12 +78,12 @@ ShortcutStudy study_shortcuts(const GBuffer& gbuffer, const SamplerState<kDefaul
   for (int run = 0; run < runs; ++run) {
     for (Variant& variant : variants) {
       if (!variant.shortcuts) {
-        variant.seconds.push_back(render(gbuffer, plain, [&](const auto& request, const auto& keep) {
+        variant.times.push_back(render(gbuffer, plain, [&](const auto& request, const auto& keep) {
           return sample<kDefaultConfig>(request, sampler, memory, keep);
         }));
       } else {
         ShortcutUnit<kDefaultConfig, const TextureMemory> unit(sampler, memory, *variant.shortcuts);
-        variant.seconds.push_back(
+        variant.times.push_back(
             render(gbuffer, made, [&](const auto& request, const auto& keep) { return unit.sample(request, keep); }));
         variant.row->counts = unit.counts();
         variant.row->same = variant.row->same && same_bits(plain, made);
@@ -103,9 +96,9 @@ ShortcutStudy study_shortcuts(const GBuffer& gbuffer, const SamplerState<kDefaul
     return median(std::move(over));
   };
   for (const Variant& variant : variants) {
-    variant.row->nanoseconds = 1e9 * median(variant.seconds) / static_cast<double>(pixels);
-    variant.row->of_plain = median_ratio(variants[0].seconds, variant.seconds);
-    variant.row->of_straight = median_ratio(variants[1].seconds, variant.seconds);
+    variant.row->nanoseconds = median(variant.times) / static_cast<double>(pixels);
+    variant.row->of_plain = median_ratio(variants[0].times, variant.times);
+    variant.row->of_straight = median_ratio(variants[1].times, variant.times);
   }
   return study;
 }

@@ -25,7 +25,11 @@ fields_of() {
     most) ranges | awk '{ print $1 "=" ($1 == "guard_bits" ? 4 : $1 == "least_range_log2" ? 0 : $3) }' ;;
     # Nothing but nearest, bilinear and trilinear; and all of the front with few bits and many probes, where a shortened
     # footprint comes nearest to vanishing.
-    bare) printf '%s=false\n' ext simple_feline table_feline gaussian factors srgb mirrored_repeat clamp_to_border ;;
+    bare)
+      printf '%s=false\n' ext simple_feline table_feline gaussian factors srgb mirrored_repeat clamp_to_border
+      # Clamped coordinates saturate far beyond what positions reach.
+      printf 'least_range_log2=17\n'
+      ;;
     front) printf '%s\n' gaussian=false srgb=false mirrored_repeat=false clamp_to_border=false table_rows=7 \
       table_columns=6 max_probes=32 mantissa_bits=6 factor_bits=10 ;;
     # What a scene leaves: one mode, one wrap mode, one format, powers of two, few probes, levels and exponents.
@@ -43,9 +47,8 @@ fields_of() {
         if ($1 == "channel_fraction_bits") channel = value
         if ($1 == "max_size_log2") size = value
         if ($1 == "guard_bits") value = value % (20 - size)
-        if ($1 == "least_range_log2") value = 0
         print $1 "=" value }'
-      features | awk -v seed="$1" 'BEGIN { srand(seed + 1000) } { 
+      features | awk -v seed="$1" 'BEGIN { srand(seed + 1000) } {
         # Something must be left of modes, wrap modes, formats and kinds of texels.
         keeps = $1 ~ /^(trilinear|repeat|rgba8|linear_texels)$/
         print $1 "=" (!keeps && rand() < 0.5 ? "false" : "true") }'

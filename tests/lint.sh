@@ -40,6 +40,12 @@ if [[ -d model/reference ]]; then
   [[ -z $shared ]] || fail "model/reference shares no arithmetic with the stages: $shared"
 fi
 
+# The stages are templates: the linker keeps one copy of each, which must not be one that is compiled without optimization.
+light=$(grep -lE '#include "model/(unit|group|footprint|plan|walk|address|fetch|filter|accumulate|shortcuts)\.h"' \
+  testbench/program/*.cpp testbench/page/*.cpp testbench/stability/study_*.cpp |
+  grep -vxE 'testbench/program/(command_vectors|explanation)\.cpp' || true)
+[[ -z $light ]] || fail "the stages in what CMakeLists.txt compiles with -O0: $light"
+
 # shellcheck disable=SC2086
 clang-format --dry-run -Werror $sources || fail "formatting; mend it with: clang-format -i \$(git ls-files '*.cpp' '*.h' ':!tables/generated')"
 

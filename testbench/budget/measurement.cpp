@@ -10,6 +10,7 @@
 
 #include "testbench/measure/render_rows.h"
 #include "testbench/measure/truth_store.h"
+#include "testbench/thread_time.h"
 
 namespace feline {
 namespace {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <tuple>
 
 namespace feline {
 namespace {
@@ -100,10 +101,16 @@ std::optional<std::size_t> choose(std::span<const Measurement> measurements, con
   std::optional<std::size_t> chosen;
   for (const std::size_t i : holding) {
     if (!costs[i]) continue;
-    const auto error = [&](std::size_t place) { return errors_of(measurements[place], truth).mean_square; };
-    if (!chosen || *costs[i] < *costs[*chosen] || (*costs[i] == *costs[*chosen] && error(i) < error(*chosen))) {
-      chosen = i;
-    }
+    // Of equal costs the plainest mode, then the narrowest unit, then the least error.
+    const auto rank = [&](std::size_t place) {
+      const Candidate& candidate = measurements[place].candidate;
+      const Widths& widths = candidate.widths;
+      return std::tuple(*costs[place], candidate.mode, candidate.kernel,
+                        widths.mantissa_bits + widths.table_side + widths.subtexel_bits + widths.level_fraction_bits +
+                            widths.weight_bits,
+                        errors_of(measurements[place], truth).mean_square);
+    };
+    if (!chosen || rank(i) < rank(*chosen)) chosen = i;
   }
   return chosen;
 }

@@ -9,6 +9,7 @@
 
 #include "model/unit.h"
 #include "testbench/budget/variant.h"
+#include "testbench/prune/needs.h"
 
 namespace feline {
 
@@ -43,10 +44,7 @@ class UseRecorder {
  public:
   UseRecorder(const SamplerState<kConfig>& sampler, VariantUse& use) : sampler_(sampler), use_(use) {}
 
-  void operator()(const RequestBeat<kConfig>& beat) {
-    const auto given = [](const auto& derivative) { return float_parts(derivative.raw()).exponent != 0 ? 1 : 0; };
-    use_.derivatives |= given(beat.dsdx) | given(beat.dtdx) << 1 | given(beat.dsdy) << 2 | given(beat.dtdy) << 3;
-  }
+  void operator()(const RequestBeat<kConfig>& beat) { use_.derivatives |= needed_derivatives(beat); }
   void operator()(const GroupBeat<kConfig>& beat) {
     raise(use_.position_bits, bit_length(std::max(std::abs(beat.s.raw()), std::abs(beat.t.raw()))));
     if ((beat.dudx.raw() | beat.dvdx.raw() | beat.dudy.raw() | beat.dvdy.raw()) == 0) return;
@@ -66,14 +64,7 @@ class UseRecorder {
   void operator()(const AddressBeat<kConfig>& beat) {
     raise(use_.coarsest_level, beat.level.raw() + (beat.coarse_used.raw() != 0 ? 1 : 0));
   }
-  void operator()(const FetchBeat<kConfig>& beat) {
-    constexpr std::int64_t kOpaque = std::int64_t{255} << kConfig.channel_fraction_bits;
-    const auto all_opaque = [](const auto&... texels) { return ((texels[3].raw() == kOpaque) && ...); };
-    // Texels of a coarse level that is not used are 0, and nobody's.
-    use_.translucent |=
-        !all_opaque(beat.fine_00, beat.fine_10, beat.fine_01, beat.fine_11) ||
-        (beat.level_fraction.raw() != 0 && !all_opaque(beat.coarse_00, beat.coarse_10, beat.coarse_01, beat.coarse_11));
-  }
+  void operator()(const FetchBeat<kConfig>& beat) { use_.translucent |= reads_translucent(beat); }
   template <typename Beat>
   void operator()(const Beat&) {}
 

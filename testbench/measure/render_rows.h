@@ -3,20 +3,13 @@
 
 #include <atomic>
 #include <cstdint>
-#include <ctime>
 #include <mutex>
 
 #include "testbench/measure/contestant.h"
 #include "testbench/parallel.h"
+#include "testbench/thread_time.h"
 
 namespace feline {
-
-// The processor time of the calling thread, nanoseconds: what a loaded machine leaves comparable.
-inline std::int64_t thread_nanoseconds() {
-  std::timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
-}
 
 // Fills a rendering row by row on all processors. `pixel(index, cost)` gives the colour of a pixel and adds to cost.
 template <typename PixelOf>

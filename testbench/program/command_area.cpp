@@ -47,6 +47,7 @@ int run_area(const AreaOptions& options) {
   const Synthesis synthesis(options.library, cache ? &*cache : nullptr);
   std::vector<StageArea> stages;
   Progress progress("synthesizing", std::max<std::size_t>(1, alone.size()));
+  progress.show();
   if (alone.empty()) stages = synthesis.unit(source);
   for (const std::string& name : alone) {
     stages.push_back(synthesis.stage(source, name));

@@ -32,6 +32,7 @@ int run_prune(const PruneOptions& options) {
   options.frames.check();
   Profile profile;
   for (const std::string& file : options.profiles) merge(profile, read_profile(file));
+  if (!options.profiles.empty() && profile.lookups == 0) bad_input("--profile", "lookups", "0", "at least 1");
   const std::filesystem::path directory = options.output;
   prepare_unit(directory);
   prepare_directory(options.output, {"prune.json"});
@@ -43,12 +44,16 @@ int run_prune(const PruneOptions& options) {
   bool holds = true;
   std::string text;
   for (const std::string& line : left_out(config)) text += fmt::format("left out  {}\n", line);
-  if (!options.no_check && options.frames.given()) {
+  if (options.no_check || !options.frames.given()) {
+    json["check"] = nullptr;
+    text += fmt::format("check     none: {}\n", options.no_check ? "--no-check" : "no frames to check the unit on");
+  } else {
     const PrunedCheck check =
         check_from_json(run_unit_program(options.source, options.output, "feline_pruned", options.frame_arguments));
     const bool profiled_here = options.profiles.empty();
     holds = check.holds() && (!profiled_here || check.outside == 0);
     json["check"] = to_json(check);
+    json["holds"] = holds;
     text += fmt::format(
         "check     {} lookups, {} identical to the full unit's, {} outside, {} flagged, {} refused by the driver, {} "
         "wrong without a flag, {} RTL mismatches\n{}",

@@ -98,6 +98,7 @@ void synthesize(std::vector<Savings>& all, const Synthesis& synthesis, const std
   for (const Savings& each : all) configs.push_back(each.config);
   std::vector<StageArea> areas(configs.size());
   Progress progress("synthesizing", configs.size());
+  progress.show();
   std::mutex mutex;
   std::exception_ptr failure;
   for_each_index(0, static_cast<std::int64_t>(configs.size()), [&](std::int64_t number) {
@@ -124,7 +125,7 @@ int run_savings(const SavingsOptions& options) {
   // Complaints come before the work.
   const SceneWork work(options);
   unit_source(kDefaultConfig, rtl);
-  const Synthesis complains(options.library, nullptr);
+  (void)Synthesis(options.library, nullptr);
   prepare_directory(options.output, {"savings.json", "savings.csv", "savings.md"});
   for (const Scene* const scene : chosen) prepare_unit(work.directory(*scene));
   const Cache cache(directory / "cache");

@@ -6,6 +6,9 @@ namespace feline {
 const ProfiledTexture& ProfiledTextures::of(const Frame& frame) {
   auto found = textures_.find(frame.texture_number);
   if (found == textures_.end()) {
+    // A texture has two mip chains at most; the oldest is one that does not come again.
+    constexpr std::size_t kMostChains = 2;
+    if (textures_.size() == kMostChains) textures_.erase(textures_.begin());
     found = textures_.emplace(frame.texture_number, profiled_texture(frame.texture_name, frame.texture)).first;
   }
   return found->second;

@@ -8,7 +8,7 @@
 
 namespace feline {
 
-// The textures of frames, ready to be profiled.
+// The textures of frames, ready to be profiled: the last ones only, whatever the length of a sequence.
 class ProfiledTextures {
  public:
   const ProfiledTexture& of(const Frame& frame);

@@ -29,6 +29,8 @@ void write_unit(const std::filesystem::path& directory, const Config& config, co
   for (const GeneratedFile& file : generate(config, measured_roms(config))) {
     outputs.write(directory / "generated" / file.name, file.text);
   }
+  // The verdict on another unit.
+  std::filesystem::remove(directory / "prune.json");
   outputs.commit();
 }
 
@@ -44,8 +46,12 @@ nlohmann::ordered_json run_unit_program(const std::string& source, const std::st
   }
   // About as long as each other.
   Progress progress("building and running the unit", 2);
+  progress.show();
   const page::Finished built = page::run_process({script.string(), unit.string(), target}, "");
-  if (built.code != 0) throw std::runtime_error("the unit's build failed:\n" + built.output + built.errors);
+  if (built.code != 0) {
+    throw std::runtime_error(
+        fmt::format("{}: exit code {}\n{}{}", script.string(), built.code, built.output, built.errors));
+  }
   progress.advance(1);
   std::vector<std::string> program{(unit / "build" / target).string()};
   program.insert(program.end(), arguments.begin(), arguments.end());

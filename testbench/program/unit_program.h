@@ -13,7 +13,8 @@ namespace feline {
 // Makes the directory of a unit; throws InputError naming `--output` or a file that cannot be written there.
 void prepare_unit(const std::filesystem::path& directory);
 
-// The unit and what it was made from, in a directory that testbench/prune/build.sh takes.
+// The unit and what it was made from, in a directory that testbench/prune/build.sh takes. The verdict on a unit that
+// was there, prune.json, is removed.
 void write_unit(const std::filesystem::path& directory, const Config& config, const Profile& profile);
 
 // Builds a program of a unit that `feline prune` wrote to `directory`, by testbench/prune/build.sh of the project's

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <atomic>
 #include <mutex>
 
 #include "model/unit.h"
@@ -78,18 +77,21 @@ PrunedCheck check_from_json(const nlohmann::ordered_json& json) {
 }
 
 PrunedCheck check_pruned(const std::string& source, const GBuffer& gbuffer, const SamplerOptions& options,
-                         const Texture& texture, const TextureMemory& memory, const ProfiledTexture& profiled,
-                         Progress* progress) {
+                         const Texture& texture, const TextureMemory& memory, Progress* progress) {
   PrunedCheck check;
   check.lookups = gbuffer.lookups.size();
+  const SamplerState<kFull> full = make_sampler<kFull>(options, texture, memory);
   SamplerState<kUnit> own;
   try {
     own = make_sampler<kUnit>(options, texture, memory);
-  } catch (const SamplerError&) {
-    check.refused = check.outside = check.lookups;
+  } catch (const SamplerError& error) {
+    check.refused = check.lookups;
+    for (const Lookup& lookup : gbuffer.lookups) {
+      ++(is_within(needed_config(lookup, full, memory), kUnit) ? check.misjudged : check.outside);
+    }
+    if (check.misjudged != 0) check.message = fmt::format("{}: refused, and needs no more: {}\n", source, error.what());
     return check;
   }
-  const SamplerState<kFull> full = make_sampler<kFull>(options, texture, memory);
   CosimResult result = run_unit(source, gbuffer, own, memory, progress);
   check.mismatches = result.mismatches;
   check.message = result.message;
@@ -107,9 +109,7 @@ PrunedCheck check_pruned(const std::string& source, const GBuffer& gbuffer, cons
       const auto& got = result.pixels[i];
       const auto want =
           sample<kFull>(make_request<kFull>(gbuffer.lookups[i], static_cast<std::int64_t>(i)), full, memory);
-      Profile of_one;
-      observe(of_one, source, std::span(&gbuffer.lookups[i], 1), full, memory, profiled);
-      const bool inside = is_within(pruned_config(of_one), kUnit);
+      const bool inside = is_within(needed_config(gbuffer.lookups[i], full, memory), kUnit);
       const bool flagged = (got.status.raw() & kUnsupported) != 0;
       const bool same = equal(got, want);
       part.outside += inside ? 0 : 1;

@@ -21,7 +21,7 @@ struct PrunedCheck {
   std::uint64_t outside = 0;     // need what the unit has not
   std::uint64_t identical = 0;   // not flagged, colour and status the full unit's
   std::uint64_t silent = 0;      // not flagged, and another colour or status
-  std::uint64_t misjudged = 0;   // flagged inside, or not flagged outside
+  std::uint64_t misjudged = 0;   // flagged or refused inside, or not flagged outside
   std::uint64_t mismatches = 0;  // RTL and model of the unit differ
   std::uint64_t probes = 0;
   std::uint64_t cycles = 0;
@@ -38,7 +38,6 @@ PrunedCheck check_from_json(const nlohmann::ordered_json& json);
 // Co-simulates the unit of this build (tables/unit.h) on a frame, stops at a beat that differs, and compares its pixels
 // with those of the full unit's model.
 PrunedCheck check_pruned(const std::string& source, const GBuffer& gbuffer, const SamplerOptions& options,
-                         const Texture& texture, const TextureMemory& memory, const ProfiledTexture& profiled,
-                         Progress* progress);
+                         const Texture& texture, const TextureMemory& memory, Progress* progress);
 
 }  // namespace feline

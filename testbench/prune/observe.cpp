@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <cstdlib>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "model/unit.h"
 #include "testbench/parallel.h"
+#include "testbench/prune/needs.h"
+#include "testbench/prune/prune.h"
 
 namespace feline {
 namespace {
@@ -20,22 +23,20 @@ int magnitude_bits(std::int64_t raw) { return bit_length(std::abs(raw)); }
 // Takes every beat of a part of the lookups. Counts stand in plain arrays, which maps would be too slow for.
 class Recorder {
  public:
-  Recorder(const SamplerState<kFull>& sampler, const TextureUse& unread)
-      : sampler_(sampler),
-        mode_(supported_mode<kFull>(sampler)),
-        use_(unread),
-        shift_(unread.block_shift() + kTileLog2),
-        block_columns_(unread.block_columns()) {
+  // Without a texture, which memory is read is nobody's concern.
+  Recorder(const SamplerState<kFull>& sampler, const TextureUse* unread)
+      : sampler_(sampler), mode_(supported_mode<kFull>(sampler)) {
+    if (unread != nullptr) {
+      use_ = *unread;
+      shift_ = unread->block_shift() + kTileLog2;
+      block_columns_ = unread->block_columns();
+    }
     for (std::size_t i = static_cast<std::size_t>(kFirstOfBeats); i < kReachCount; ++i) {
       counts_[i].resize(static_cast<std::size_t>(kReachFacts[i].most - kReachFacts[i].least + 1));
     }
   }
 
-  void operator()(const RequestBeat<kFull>& beat) {
-    const auto given = [](const auto& derivative) { return float_parts(derivative.raw()).exponent != 0 ? 1 : 0; };
-    count(Reach::kDerivatives,
-          given(beat.dsdx) | given(beat.dtdx) << 1 | given(beat.dsdy) << 2 | given(beat.dtdy) << 3);
-  }
+  void operator()(const RequestBeat<kFull>& beat) { count(Reach::kDerivatives, needed_derivatives(beat)); }
 
   void operator()(const GroupBeat<kFull>& beat) {
     ++lookups_;
@@ -87,15 +88,7 @@ class Recorder {
     count(Reach::kBorderTexels, outside);
   }
 
-  void operator()(const FetchBeat<kFull>& beat) {
-    constexpr std::int64_t kOpaque = std::int64_t{255} << kFull.channel_fraction_bits;
-    const auto all_opaque = [](const auto&... texels) { return ((texels[3].raw() == kOpaque) && ...); };
-    // Texels of a coarse level that is not used are 0, and nobody's.
-    const bool opaque =
-        all_opaque(beat.fine_00, beat.fine_10, beat.fine_01, beat.fine_11) &&
-        (beat.level_fraction.raw() == 0 || all_opaque(beat.coarse_00, beat.coarse_10, beat.coarse_01, beat.coarse_11));
-    count(Reach::kTranslucent, opaque ? 0 : 1);
-  }
+  void operator()(const FetchBeat<kFull>& beat) { count(Reach::kTranslucent, reads_translucent(beat) ? 1 : 0); }
 
   void operator()(const AccumulateBeat<kFull>& beat) { count(Reach::kStatus, beat.status.raw()); }
 
@@ -113,7 +106,7 @@ class Recorder {
         part.reached[i][kReachFacts[i].least + static_cast<std::int64_t>(at)] = counts_[i][at];
       }
     }
-    part.textures[hash] = std::move(use_);
+    if (use_) part.textures[hash] = std::move(*use_);
     merge(profile, part);
   }
 
@@ -132,10 +125,11 @@ class Recorder {
         ++outside;
         continue;
       }
-      use_.touched.insert(static_cast<std::size_t>(lines[i].raw()));
+      if (!use_) continue;
+      use_->touched.insert(static_cast<std::size_t>(lines[i].raw()));
       if (level != 0) continue;
       const std::int64_t row = ys[i / 2].raw() >> shift_;
-      ++use_.blocks[static_cast<std::size_t>(row * block_columns_ + (xs[i % 2].raw() >> shift_))];
+      ++use_->blocks[static_cast<std::size_t>(row * block_columns_ + (xs[i % 2].raw() >> shift_))];
     }
     return outside;
   }
@@ -145,9 +139,9 @@ class Recorder {
   std::uint64_t lookups_ = 0;
   std::uint64_t probes_ = 0;
   std::array<std::vector<std::uint64_t>, kReachCount> counts_;
-  TextureUse use_;
-  int shift_;  // from a texel of level 0 to its block
-  int block_columns_;
+  std::optional<TextureUse> use_;
+  int shift_ = 0;  // from a texel of level 0 to its block
+  int block_columns_ = 0;
 };
 
 // The sampler state's own, each met by every lookup.
@@ -199,7 +193,7 @@ void observe(Profile& profile, const std::string& source, std::span<const Lookup
   for_each_index(0, static_cast<std::int64_t>((lookups.size() + kPart - 1) / kPart), [&](std::int64_t index) {
     const std::size_t first = static_cast<std::size_t>(index) * kPart;
     const auto part = lookups.subspan(first, std::min(kPart, lookups.size() - first));
-    Recorder recorder(sampler, texture.unread);
+    Recorder recorder(sampler, &texture.unread);
     for (const Lookup& lookup : part) {
       sample<kFull>(make_request<kFull>(lookup, 0), sampler, memory, recorder);
     }
@@ -207,6 +201,15 @@ void observe(Profile& profile, const std::string& source, std::span<const Lookup
     const std::scoped_lock lock(mutex);
     recorder.add_to(profile, texture.hash);
   });
+}
+
+Config needed_config(const Lookup& lookup, const SamplerState<kDefaultConfig>& sampler, const TextureMemory& memory) {
+  Profile profile;
+  count_sampler(profile, sampler, 1);
+  Recorder recorder(sampler, nullptr);
+  sample<kFull>(make_request<kFull>(lookup, 0), sampler, memory, recorder);
+  recorder.add_to(profile, "");
+  return pruned_config(profile);
 }
 
 }  // namespace feline

@@ -25,4 +25,7 @@ void observe(Profile& profile, const std::string& source, std::span<const Lookup
              const SamplerState<kDefaultConfig>& sampler, const TextureMemory& memory, const ProfiledTexture& texture,
              Progress* progress = nullptr);
 
+// The least configuration for one lookup: that of its profile.
+Config needed_config(const Lookup& lookup, const SamplerState<kDefaultConfig>& sampler, const TextureMemory& memory);
+
 }  // namespace feline

@@ -28,17 +28,14 @@ constexpr std::size_t kHashLength = 40;
 constexpr std::string_view kDigits = "0123456789ABCDEF";
 
 // What the values of histograms mean under: a profile of another configuration is another unit's.
-constexpr std::array<std::pair<std::string_view, int>, 9> kConfiguration{{
-    {"mantissa_bits", kDefaultConfig.mantissa_bits},
-    {"table_rows", kDefaultConfig.table_rows},
-    {"table_columns", kDefaultConfig.table_columns},
-    {"subtexel_bits", kDefaultConfig.subtexel_bits},
-    {"level_fraction_bits", kDefaultConfig.level_fraction_bits},
-    {"factor_bits", kDefaultConfig.factor_bits},
-    {"guard_bits", kDefaultConfig.guard_bits},
-    {"max_probes", kDefaultConfig.max_probes},
-    {"max_size_log2", kDefaultConfig.max_size_log2},
-}};
+std::vector<std::pair<std::string, int>> configuration() {
+  std::vector<std::pair<std::string, int>> values;
+  for (const ConfigField& each : kConfigFields) values.emplace_back(each.name, kDefaultConfig.*each.field);
+  for (const FeatureField& each : kFeatureFields) {
+    values.emplace_back(each.name, kDefaultConfig.features.*each.field ? 1 : 0);
+  }
+  return values;
+}
 
 std::string runs_of(const LineSet& lines) {
   std::string text;
@@ -251,7 +248,7 @@ Json parse(std::string_view text, std::string_view where) {
 
 std::string profile_to_json(const Profile& profile) {
   Json json{{"version", kVersion}, {"configuration", Json::object()}, {"sources", Json::object()}};
-  for (const auto& [name, value] : kConfiguration) json["configuration"][std::string(name)] = value;
+  for (const auto& [name, value] : configuration()) json["configuration"][name] = value;
   for (const auto& [name, frames] : profile.sources) json["sources"][name] = frames;
   json["lookups"] = profile.lookups;
   json["probes"] = profile.probes;
@@ -271,11 +268,11 @@ Profile profile_from_json(std::string_view text, std::string_view where) {
   root.check_fields({"version", "configuration", "sources", "lookups", "probes", "reached", "textures"});
   root["version"].number(kVersion, kVersion);
   std::vector<std::string> names;
-  for (const auto& [name, value] : kConfiguration) names.emplace_back(name);
+  for (const auto& [name, value] : configuration()) names.push_back(name);
   root["configuration"].check_fields(names);
-  for (const auto& [name, value] : kConfiguration) {
+  for (const auto& [name, value] : configuration()) {
     const auto same = static_cast<std::uint64_t>(value);
-    root["configuration"][std::string(name)].number(same, same);
+    root["configuration"][name].number(same, same);
   }
   Profile profile;
   root["sources"].each(

@@ -79,13 +79,13 @@ int pruned_exponent_bits(const Profile& profile) {
 }
 
 // What does not saturate in the full unit must not in this one; what does, may earlier.
-int pruned_range_log2(const Profile& profile, const Features& features) {
+int pruned_range_log2(const Profile& profile, const Features& features, const FormatSet& full) {
   if (!features.clamp_to_edge && !features.clamp_to_border) return 0;
   std::int64_t range = 0;
   for (const Reach reach : {Reach::kPositionBitsS, Reach::kPositionBitsT}) {
     for (const auto& [bits, count] : profile[reach]) {
-      const std::int64_t needed = bits - F::kPositionFraction;
-      if (needed <= F::kSaturationLog2) range = std::max(range, needed);
+      const std::int64_t needed = bits - full.position_fraction;
+      if (needed <= full.saturation_log2) range = std::max(range, needed);
     }
   }
   return static_cast<int>(range);
@@ -118,7 +118,7 @@ Config pruned_config(const Profile& profile, const Config& full) {
   const std::int64_t side = std::max(greatest(profile, Reach::kWidth), greatest(profile, Reach::kHeight));
   constexpr int kLeastSizeLog2 = 4;
   set_max_size(config, std::clamp(bit_length(side - 1), kLeastSizeLog2, full.max_size_log2));
-  config.least_range_log2 = pruned_range_log2(profile, config.features);
+  config.least_range_log2 = pruned_range_log2(profile, config.features, FormatSet(full));
   config.table_cells = decltype(config.table_cells)::none();
   for (const auto& [cell, count] : profile[Reach::kCell]) config.table_cells.add(static_cast<std::size_t>(cell));
   config.weight_rows = pruned_weight_rows(profile, FormatSet(config).gaussian_rows);

@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-#include "testbench/program/frames_profile.h"
+#include "testbench/program/frames.h"
 #include "testbench/prune/check.h"
 
 namespace {
@@ -20,10 +20,9 @@ int run(int argc, char** argv) {
   }
   if (!frames.given()) frames.choose_default_scene();
   feline::PrunedCheck check;
-  feline::ProfiledTextures textures;
   frames.for_each("checking", [&](const feline::Frame& frame, feline::Progress& progress) {
     feline::add(check, feline::check_pruned(frame.source, frame.gbuffer, frame.sampler, frame.texture, frame.memory,
-                                            textures.of(frame), &progress));
+                                            &progress));
   });
   fmt::print("{}\n", feline::to_json(check).dump(1));
   return check.holds() ? 0 : 1;

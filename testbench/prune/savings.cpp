@@ -31,9 +31,9 @@ std::string what_is_left(const Config& config) {
   return text + fmt::format("{} features", features_left(config).size());
 }
 
-}  // namespace
+double change_percent(double from, double to) { return 100 * (to - from) / from; }
 
-double saved_percent(double whole, double part) { return 100 * (whole - part) / whole; }
+}  // namespace
 
 nlohmann::ordered_json savings_json(const std::vector<Savings>& all) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
@@ -45,6 +45,7 @@ nlohmann::ordered_json savings_json(const std::vector<Savings>& all) {
                     {"left_out", left_out(each.config)},
                     {"configuration", config_to_json(each.config)},
                     {"check", to_json(each.check)},
+                    {"holds", each.holds()},
                     {"gaussian", to_json(each.gaussian)},
                     {"box", to_json(each.box)},
                     {"full", to_json(each.full)},
@@ -91,10 +92,10 @@ std::string savings_markdown(const std::vector<Savings>& all) {
   }
   for (const Savings& each : all) {
     text += fmt::format(
-        "| {} | {} | {} (-{:.0f} %) | {:.0f} (-{:.0f} %) | {} | {} | {:.1f} | {:.1f} dB | {:.1f} dB | {} of {} |\n",
+        "| {} | {} | {} ({:+.0f} %) | {:.0f} ({:+.0f} %) | {} | {} | {:.1f} | {:.1f} dB | {:.1f} dB | {} of {} |\n",
         each.scene, what_is_left(each.config), each.pruned.cells,
-        saved_percent(static_cast<double>(each.full.cells), static_cast<double>(each.pruned.cells)), each.pruned.gates,
-        saved_percent(each.full.gates, each.pruned.gates), each.pruned.rom_bits / kBitsPerByte,
+        change_percent(static_cast<double>(each.full.cells), static_cast<double>(each.pruned.cells)), each.pruned.gates,
+        change_percent(each.full.gates, each.pruned.gates), each.pruned.rom_bits / kBitsPerByte,
         each.pruned.multiplier_count(), per_pixel(each.check.cycles, each), each.gaussian.psnr(), each.box.psnr(),
         each.check.identical, each.check.lookups);
   }

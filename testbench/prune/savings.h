@@ -29,9 +29,6 @@ struct Savings {
   bool holds() const { return check.holds() && check.identical == check.lookups; }
 };
 
-// How much less than the whole a part is, in percent.
-double saved_percent(double whole, double part);
-
 // The table of all scenes: JSON, RFC 4180, and the Markdown that is read.
 nlohmann::ordered_json savings_json(const std::vector<Savings>& all);
 std::string savings_csv(const std::vector<Savings>& all);

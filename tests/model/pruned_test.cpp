@@ -99,5 +99,9 @@ TEST(pruned, a_unit_without_feline_is_never_silently_wrong) {
   expect_both_sides(compare_with_full_unit<kExtUnit>("model_pruned.ext"));
 }
 
+TEST(pruned, a_unit_without_two_derivatives_is_never_silently_wrong) {
+  expect_both_sides(compare_with_full_unit<kCrossUnit>("model_pruned.cross"));
+}
+
 }  // namespace
 }  // namespace feline

@@ -45,7 +45,7 @@ TEST(readme, commands) {
   for (std::sregex_iterator at(text.begin(), text.end(), command), end; at != end; ++at, ++commands) {
     EXPECT_EQ(run_program(FELINE_PROGRAM, (*at)[1].str() + " --help").code, 0) << (*at)[1];
   }
-  EXPECT_EQ(commands, 15);
+  EXPECT_EQ(commands, 16);
 }
 
 TEST(readme, faults) { expect_said(fmt::format("| {0} of {0} faults |", std::size(kFaults))); }

@@ -55,4 +55,11 @@ inline constexpr Config kExtUnit = [] {
   return config;
 }();
 
+// All exponents, without ds/dx and dt/dy, which a footprint without bound needs.
+inline constexpr Config kCrossUnit = [] {
+  Config config;
+  config.features.dudx = config.features.dvdy = false;
+  return config;
+}();
+
 }  // namespace feline

@@ -16,8 +16,9 @@ namespace fs = std::filesystem;
 std::string path(const TempDir& dir, const char* name) { return (dir / name).string(); }
 
 TEST(program, help_shows_an_example) {
-  for (const char* const command : {"tables", "scene", "render", "explain", "vectors", "cosim", "report", "figure",
-                                    "stability", "profile", "prune", "shortcuts", "area", "activity", "budget"}) {
+  for (const char* const command :
+       {"tables", "scene", "render", "explain", "vectors", "cosim", "report", "figure", "stability", "profile", "prune",
+        "savings", "shortcuts", "area", "activity", "budget"}) {
     const Outcome outcome = run(std::string(command) + " --help");
     EXPECT_EQ(outcome.code, 0);
     EXPECT_NE(outcome.text.find("Example: feline " + std::string(command)), std::string::npos) << outcome.text;

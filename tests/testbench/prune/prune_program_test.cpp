@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "testbench/prune/profile_json.h"
 #include "tests/testbench/feline_program.h"
 
 namespace feline {
@@ -18,7 +19,8 @@ TEST(prune_program, writes_a_unit) {
   EXPECT_EQ(json["profiled_lookups"], 256);
   EXPECT_EQ(json["configuration"]["features"]["simple_feline"], true);
   EXPECT_EQ(json["configuration"]["features"]["table_feline"], false);
-  EXPECT_FALSE(json.contains("check"));
+  EXPECT_TRUE(json["check"].is_null());
+  EXPECT_FALSE(json.contains("holds"));
   EXPECT_EQ(nlohmann::json::parse(read_bytes(dir / "unit" / "prune.json")), json);
   for (const char* const name : {"unit.h", "profile.json", "generated/feline_pkg.sv", "generated/feline_rom_ellipse.sv",
                                  "generated/roms.json"}) {
@@ -43,6 +45,24 @@ TEST(prune_program, refuses_and_says_what_is_legal) {
   expect_refused(dir, "prune --gbuffer /nonexistent.exr --texture /nonexistent.png" + output, {"/nonexistent.exr"});
   expect_refused(dir, "prune --scene repeat --no-check --output /proc/unit", {"/proc/unit", "--output"});
   expect_refused(dir, "activity --unit " + quoted_path(dir, "none"), {"none", "unit.h", "feline prune"});
+}
+
+TEST(prune_program, refuses_a_profile_of_nothing) {
+  const TempDir dir;
+  write_bytes(dir / "empty.json", profile_to_json(Profile{}));
+  expect_refused(dir, "prune --profile " + quoted_path(dir, "empty.json") + " --output " + quoted_path(dir, "unit"),
+                 {"lookups", "got 0", "at least 1"});
+}
+
+// The verdict on another unit must not stay beside a new one.
+TEST(prune_program, an_old_verdict_goes) {
+  const TempDir dir;
+  const std::string output = " --output " + quoted_path(dir, "unit");
+  ASSERT_EQ(run("prune --no-check --scene repeat --size 8" + output).code, 0);
+  ASSERT_TRUE(std::filesystem::exists(dir / "unit" / "prune.json"));
+  // No sources to build the check from.
+  ASSERT_EQ(run("prune --scene bricks --size 8 --source /nonexistent" + output).code, 2);
+  EXPECT_FALSE(std::filesystem::exists(dir / "unit" / "prune.json"));
 }
 
 TEST(prune_program, says_when_there_are_no_sources) {
@@ -77,6 +97,27 @@ TEST(prune_program_long, proves_the_unit_and_flags_what_leaves_it) {
   EXPECT_GT(others["flagged"], 48 * 48);
   EXPECT_GT(others["identical"], 48 * 48);
   EXPECT_EQ(others["outside"], others["flagged"].get<int>() + others["refused"].get<int>());
+}
+
+// A table with holes and weights that are missing, in RTL: what meets them is flagged by RTL and model alike.
+TEST(prune_program_long, proves_a_table_with_holes) {
+  const TempDir dir;
+  const std::string unit = " --json --output " + quoted_path(dir, "unit");
+  const Outcome proved = run("prune --scene spin --frames 0 --size 32 --mode table" + unit);
+  ASSERT_EQ(proved.code, 0) << proved.text;
+  EXPECT_EQ(nlohmann::json::parse(proved.text)["check"]["identical"], 32 * 32);
+  const std::string header = read_bytes(dir / "unit" / "unit.h");
+  const Outcome held_out = run("prune --profile " + quoted_path(dir, "unit/profile.json") +
+                               " --scene spin --frames 1:7 --size 32 --mode table" + unit);
+  ASSERT_EQ(held_out.code, 0) << held_out.text;
+  EXPECT_EQ(read_bytes(dir / "unit" / "unit.h"), header);
+  const auto others = nlohmann::json::parse(held_out.text)["check"];
+  EXPECT_EQ(others["lookups"], 7 * 32 * 32);
+  EXPECT_EQ(others["mismatches"], 0);
+  EXPECT_EQ(others["silent"], 0);
+  EXPECT_EQ(others["misjudged"], 0);
+  EXPECT_GT(others["flagged"], 100);
+  EXPECT_GT(others["identical"], 100);
 }
 
 }  // namespace

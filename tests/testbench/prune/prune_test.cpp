@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "model/make_sampler.h"
 #include "model/unit.h"
 #include "testbench/prune/observe.h"
@@ -66,6 +68,7 @@ void expect_flags_where_profiles_say(const char* name) {
 TEST(prune, simple_unit_flags_what_profiles_say) { expect_flags_where_profiles_say<kSimpleUnit>("prune.simple"); }
 TEST(prune, holed_table_flags_what_profiles_say) { expect_flags_where_profiles_say<kHoledTableUnit>("prune.table"); }
 TEST(prune, plain_unit_flags_what_profiles_say) { expect_flags_where_profiles_say<kPlainUnit>("prune.plain"); }
+TEST(prune, cross_unit_flags_what_profiles_say) { expect_flags_where_profiles_say<kCrossUnit>("prune.cross"); }
 TEST(prune, ext_unit_flags_what_profiles_say) { expect_flags_where_profiles_say<kExtUnit>("prune.ext"); }
 
 Scene grey_scene(int side, TexelFormat format) {
@@ -95,6 +98,39 @@ TEST(prune, keeps_what_one_lookup_needs) {
   rows.add(8);  // fProbes 3: (3 - 1) * 4
   EXPECT_EQ(config.weight_rows, rows);
   EXPECT_EQ(config.table_cells, decltype(config.table_cells)::none());
+}
+
+// NaN leaves no bound: the unit needs du/dx and dv/dy to say so.
+TEST(prune, keeps_what_a_footprint_without_bound_needs) {
+  const Scene scene = grey_scene(64, TexelFormat::kR8);
+  SamplerOptions options;
+  options.mode = Mode::kSimple;
+  Lookup lookup{0.3F, 0.4F, 0, 0, 0, 0};
+  lookup.dtdx = std::numeric_limits<float>::quiet_NaN();
+  const Config config = pruned_config(profile_of(lookup, options, scene, profiled_texture("test", scene.texture)));
+  EXPECT_TRUE(config.features.dudx && config.features.dvdx && config.features.dvdy);
+  EXPECT_FALSE(config.features.dudy);
+  EXPECT_EQ(config.exponent_bits, kDefaultConfig.exponent_bits);
+}
+
+// Positions of a narrower unit have fewer fraction bits, and so reach as many textures with fewer bits.
+TEST(prune, a_range_is_in_the_units_own_fraction) {
+  const Scene scene = grey_scene(64, TexelFormat::kR8);
+  SamplerOptions options;
+  options.mode = Mode::kSimple;
+  options.wrap_s = options.wrap_t = Wrap::kClampToEdge;
+  const Profile plain =
+      profile_of({0.5F, 0.5F, 1.0F / 64, 0, 0, 1.0F / 64}, options, scene, profiled_texture("test", scene.texture));
+  for (const int subtexel_bits : {5, 8}) {
+    Config full;
+    full.subtexel_bits = subtexel_bits;
+    Profile profile = plain;
+    // Seven textures away, and what saturates anyway.
+    profile[Reach::kPositionBitsS] = {{FormatSet(full).position_fraction + 3, 1},
+                                      {FormatSet(full).position_fraction + FormatSet(full).saturation_log2 + 1, 1}};
+    profile[Reach::kPositionBitsT] = {{1, 1}};
+    EXPECT_EQ(pruned_config(profile, full).least_range_log2, 3) << subtexel_bits;
+  }
 }
 
 // Merged profiles need what each of them needs.
