@@ -5,9 +5,25 @@
 
 namespace feline {
 
+namespace {
+
+bool has_no_alpha(const Texture& texture) {
+  if (texture.format != TexelFormat::kRgba8) return false;
+  constexpr std::size_t kTexelBytes = 4;
+  for (const MipLevel& level : texture.levels) {
+    for (std::size_t i = kTexelBytes - 1; i < level.texels.size(); i += kTexelBytes) {
+      if (level.texels[i] != 255) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
 TextureMemory layout_texture(const Texture& texture) {
   const auto texel_bytes = static_cast<std::size_t>(bytes_per_texel(texture.format));
   TextureMemory memory;
+  memory.is_opaque = has_no_alpha(texture);
   for (const MipLevel& level : texture.levels) {
     const auto first = static_cast<std::int64_t>(memory.lines());
     memory.level_base.push_back(first);

@@ -24,7 +24,9 @@ constexpr std::int64_t level_lines(int width, int height) {
 struct TextureMemory {
   std::vector<std::uint8_t> bytes;
   std::vector<std::int64_t> level_base;  // first line of each level
+  bool is_opaque = false;                // RGBA8, and every alpha is 255
 
+  bool opaque() const { return is_opaque; }
   std::size_t lines() const { return bytes.size() / kLineBytes; }
   std::span<const std::uint8_t> line(std::int64_t index) const {
     return std::span(bytes).subspan(static_cast<std::size_t>(index) * kLineBytes, kLineBytes);

@@ -23,7 +23,7 @@ struct Shortcuts {
   bool weightless_probes = true;  // probes of weight 0
   bool round_footprints = true;   // the line's set-up where one probe is taken
   bool weightless_texels = true;  // texels of weight 0: on texel centres, nearest
-  bool absent_channels = true;    // channels that the texel format does not have
+  bool absent_channels = true;    // channels that all texels have the same: the format's absent ones, alpha if opaque
   bool decoded_codes = true;      // decoding of texels: each of the 256 codes of a channel is decoded once
 
   constexpr bool operator==(const Shortcuts&) const = default;
@@ -57,10 +57,12 @@ inline constexpr std::array kShortcutNames{
     ShortcutName{"absent_channels", &Shortcuts::absent_channels, &ShortcutCounts::absent_channels, "channels"},
     ShortcutName{"decoded_codes", &Shortcuts::decoded_codes, &ShortcutCounts::decoded_codes, "texel decodings"}};
 
-// Memory by lines, as TextureMemory has them; a line may be made when it is asked for, and is read at once.
+// Memory by lines, as TextureMemory has them; a line may be made when it is asked for, and is read at once. `opaque`:
+// RGBA8, and known to have no alpha but 255.
 template <typename Lines>
 concept LineSource = requires(Lines& lines, std::int64_t index) {
   { lines.line(index) } -> std::convertible_to<std::span<const std::uint8_t>>;
+  { lines.opaque() } -> std::convertible_to<bool>;
 };
 
 // One sampler state and one memory, which must both outlive it; for one thread. A configuration without alpha looks for
@@ -82,12 +84,18 @@ class ShortcutUnit {
       for (std::size_t c = 0; c < 4; ++c) decoded_[c][code] = texel[c];
     }
     stored_ = texel_channels<kConfig>(sampler);
+    for (std::size_t c = 0; c < 4; ++c) constant_[c] = decoded_[c][0];
+    filtered_ = stored_;
+    if (stored_ == 4 && lines.opaque()) {
+      filtered_ = 3;
+      constant_[3] = decoded_[3][255];
+    }
     if (kLooksForAlpha) shortcuts_.weightless_texels = shortcuts_.weightless_probes = false;
     // Only a state that make_sampler did not make can have a border with channels that its texels lack.
     const bool has_border = wrap_s_ == Wrap::kClampToBorder || wrap_t_ == Wrap::kClampToBorder;
     leaves_channels_ = shortcuts_.absent_channels;
-    for (auto c = static_cast<std::size_t>(stored_); c < 4; ++c) {
-      if (has_border && border_[c] != decoded_[c][0]) leaves_channels_ = false;
+    for (auto c = static_cast<std::size_t>(filtered_); c < 4; ++c) {
+      if (has_border && border_[c] != constant_[c]) leaves_channels_ = false;
     }
   }
 
@@ -104,7 +112,9 @@ class ShortcutUnit {
     switch (stored_) {
       case 1: leaves_channels_ ? filter_levels<1, 1>(planned, beat) : filter_levels<1, 4>(planned, beat); break;
       case 2: leaves_channels_ ? filter_levels<2, 2>(planned, beat) : filter_levels<2, 4>(planned, beat); break;
-      default: filter_levels<4, 4>(planned, beat); break;
+      default:
+        leaves_channels_&& filtered_ == 3 ? filter_levels<4, 3>(planned, beat) : filter_levels<4, 4>(planned, beat);
+        break;
     }
     beat.status =
         beat.status.from_raw(row_status<kConfig>(planned).raw() | unsupported_if(kLooksForAlpha && lacks_alpha_));
@@ -170,7 +180,7 @@ class ShortcutUnit {
     for (std::size_t i = 0; i < used_; ++i) weight += probes_[i].weight;
     for (std::size_t c = kChannels; c < 4; ++c) {
       const int fraction_bits = F::kAccumulated.fraction_bits - F::kChannel.fraction_bits - kConfig.weight_bits;
-      beat.colour[c] = finished_channel<kConfig>(c, (decoded_[c][0] * weight) << fraction_bits);
+      beat.colour[c] = finished_channel<kConfig>(c, (constant_[c] * weight) << fraction_bits);
     }
   }
 
@@ -244,12 +254,14 @@ class ShortcutUnit {
   Shortcuts shortcuts_;
   Wrap wrap_s_, wrap_t_;
   Texel border_;
-  int stored_ = 4;  // channels of the texel format
+  int stored_ = 4;    // channels of the texel format
+  int filtered_ = 4;  // of these, those that can differ from texel to texel
   bool leaves_channels_ = false;
   bool lacks_alpha_ = false;  // a texel of this lookup does
   std::array<Probe, static_cast<std::size_t>(kConfig.max_probes)> probes_{};
   std::size_t used_ = 0;
   std::array<Texel, 4> unused_{};                            // of a level of no weight
+  Texel constant_{};                                         // of the channels that are not filtered
   std::array<std::array<std::uint16_t, 256>, 4> decoded_{};  // of each channel, by code
   ShortcutCounts counts_;
 };

@@ -42,6 +42,8 @@ class LazyTexture {
     if (index != last_index_) find_line(index);
     return {last_line_, kLineBytes};
   }
+  // Its file has no alpha.
+  bool opaque() const { return shape_.format == TexelFormat::kRgba8 && file_channels_ < 4; }
   Residency residency() const;
 
  private:

@@ -128,6 +128,32 @@ struct Known {
   ShortcutCounts counts{};
 };
 
+// Of an RGBA8 texture whose alphas are all 255, three channels are filtered; one that is not, and none is left out.
+TEST(shortcuts, opaque_textures) {
+  const SeedTrace trace(__FILE__, __LINE__);
+  Random random = random_for("shortcuts.opaque");
+  Scene scene = make_scene(random, 16, 16, TexelFormat::kRgba8, false, Content::kNoise);
+  EXPECT_FALSE(scene.memory.opaque());
+  for (MipLevel& level : scene.texture.levels) {
+    for (std::size_t i = 3; i < level.texels.size(); i += 4) level.texels[i] = 255;
+  }
+  scene.memory = layout_texture(scene.texture);
+  EXPECT_TRUE(scene.memory.opaque());
+  for (const Wrap wrap : {Wrap::kRepeat, Wrap::kClampToBorder}) {
+    SamplerOptions options = plain_options(Mode::kSimple);
+    options.wrap_s = options.wrap_t = wrap;
+    const State state = make_sampler<kDefaultConfig>(options, scene.texture, scene.memory);
+    ShortcutUnit<kDefaultConfig, const TextureMemory> unit(state, scene.memory);
+    for (int i = 0; i < 1000; ++i) {
+      expect_same<kDefaultConfig>(any_lookup(random, 16, 16), state, scene.memory, unit);
+    }
+    // The border is transparent black.
+    EXPECT_EQ(unit.counts().absent_channels > 0, wrap == Wrap::kRepeat);
+  }
+  scene.texture.levels.back().texels[3] = 254;
+  EXPECT_FALSE(layout_texture(scene.texture).opaque());
+}
+
 TEST(shortcuts, count_what_they_leave_out) {
   const auto counts = [](std::int64_t probes, std::int64_t levels, std::int64_t points, std::int64_t texels,
                          std::int64_t channels, std::int64_t decodings) {
@@ -251,6 +277,7 @@ struct WatchedMemory {
     asked.insert(index);
     return memory.line(index);
   }
+  bool opaque() const { return memory.opaque(); }
 };
 
 TEST(shortcuts, lines_of_no_weight_are_not_asked_for) {

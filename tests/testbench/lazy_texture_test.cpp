@@ -152,6 +152,7 @@ struct WatchedTexture {
     asked.insert(index);
     return texture.line(index);
   }
+  bool opaque() const { return texture.opaque(); }
 };
 
 std::int64_t peak_of_children() {
