@@ -28,7 +28,7 @@ std::string_view cost_meaning(CostKind kind) {
   switch (kind) {
     case CostKind::kCycles:
       return "Cycles: the probes of a pixel, one a cycle, of hardware that reads eight texels a cycle. They do not "
-             "tell widths apart: of equal costs the choice has the least error.";
+             "tell widths apart: of equal costs the choice is the plainest mode, then the narrowest unit.";
     case CostKind::kGates:
       return "Gates: NAND2 equivalents of the synthesised unit; its ROMs are logic among them, the texel cache's "
              "memories are not. Synthesis is slow: of the candidates that hold a budget only those are synthesised "

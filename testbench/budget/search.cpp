@@ -78,7 +78,7 @@ std::vector<std::size_t> holding(std::span<const Measurement> measurements, cons
 }
 
 void count_gates(std::span<const Measurement> measurements, std::span<const std::size_t> holding,
-                 const GateCount& gates, Costs& counted) {
+                 const GateCount& gates, Costs& counted, Progress& progress) {
   std::vector<std::size_t> least(holding.begin(), holding.end());
   std::erase_if(least, [&](std::size_t i) {
     return std::ranges::any_of(holding, [&](std::size_t other) {
@@ -87,7 +87,9 @@ void count_gates(std::span<const Measurement> measurements, std::span<const std:
   });
   std::ranges::stable_sort(least, {}, [&](std::size_t i) { return size_guess(measurements[i].hardware); });
   double best = std::numeric_limits<double>::infinity();
+  Progress part(progress, kGatesWork, least.size());
   for (const std::size_t i : least) {
+    part.advance(1);
     const Config& hardware = measurements[i].hardware;
     if (!counted[i]) counted[i] = known_gates(measurements, counted, hardware);
     if (!counted[i] && least_gates(measurements, counted, hardware) >= best) continue;
@@ -154,9 +156,12 @@ SceneSearch search_scene(const ExhibitPlan& plan, const SearchOptions& options, 
   const auto holders = [&](const Budget& budget) { return holding(all, full, options.truth, budget); };
   if (options.cost == CostKind::kGates) {
     search.costs.resize(all.size());
+    Progress part(progress, kGatesWork, options.budgets.size() * kGatesWork);
     search.full_cost = options.gates(kDefaultConfig);
     search.costs[search.full] = options.gates(all[search.full].hardware);
-    for (const Budget& budget : options.budgets) count_gates(all, holders(budget), options.gates, search.costs);
+    for (const Budget& budget : options.budgets) {
+      count_gates(all, holders(budget), options.gates, search.costs, part);
+    }
   } else {
     search.costs = measured_costs(all, options.cost);
     search.full_cost = *search.costs[search.full];

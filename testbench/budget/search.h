@@ -46,14 +46,14 @@ Costs measured_costs(std::span<const Measurement> measurements, CostKind kind);
 // Only units that need no more than no other one are asked for (needs_no_more), and of those none that has to be at
 // least as large as the least so far, because it needs no less than one that is.
 void count_gates(std::span<const Measurement> measurements, std::span<const std::size_t> holding,
-                 const GateCount& gates, Costs& counted);
+                 const GateCount& gates, Costs& counted, Progress& progress);
 
 // Places of those that hold.
 std::vector<std::size_t> holding(std::span<const Measurement> measurements, const Errors& full, TruthChoice truth,
                                  const Budget& budget);
 
-// The least cost of those that hold the budget; of equal costs the least error, then the first. Nothing when none
-// holds, or no cost is known.
+// The least cost of those that hold the budget; of equal costs the plainest mode, then the narrowest unit, then the
+// least error. Nothing when none holds, or no cost is known.
 std::optional<std::size_t> choose(std::span<const Measurement> measurements, const Costs& costs,
                                   std::span<const std::size_t> holding, TruthChoice truth);
 
@@ -92,8 +92,12 @@ struct SceneSearch {
   std::vector<BudgetChoice> choices;
 };
 
-// `progress` has a total of kSearchWork.
-inline constexpr std::uint64_t kSearchWork = 5000;
+// The total of a search's progress: measurements, and syntheses, which take longer.
+inline constexpr std::uint64_t kMeasuringWork = 5000;
+inline constexpr std::uint64_t kGatesWork = 10000;
+constexpr std::uint64_t search_work(CostKind cost) {
+  return kMeasuringWork + (cost == CostKind::kGates ? kGatesWork : 0);
+}
 SceneSearch search_scene(const ExhibitPlan& plan, const SearchOptions& options, const Cache& cache, Progress& progress);
 
 }  // namespace feline

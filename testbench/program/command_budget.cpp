@@ -77,7 +77,7 @@ int run_budget(const BudgetOptions& options) {
     constexpr std::uint64_t kShare = 1000;
     Progress progress("searching", plans.size() * kShare);
     for (const ExhibitPlan& plan : plans) {
-      Progress part(progress, kShare, kSearchWork);
+      Progress part(progress, kShare, search_work(search.cost));
       searches.push_back(search_scene(plan, search, cache, part));
     }
   }

@@ -31,7 +31,7 @@ SearchOptions small_search(const std::vector<double>& decibels) {
 }
 
 SceneSearch search(const ExhibitPlan& plan, const SearchOptions& options, const Cache& cache) {
-  Progress progress("searching", kSearchWork);
+  Progress progress("searching", search_work(options.cost));
   return search_scene(plan, options, cache, progress);
 }
 
@@ -263,6 +263,19 @@ TEST(budget_search, a_cheaper_one_is_found) {
   EXPECT_EQ(cheaper_one(all, costs, full, TruthChoice::kGaussian, budget, 0), 1U);
   EXPECT_EQ(cheaper_one(all, costs, full, TruthChoice::kGaussian, budget, 2), std::nullopt);
   EXPECT_EQ(pareto_front(all, costs, TruthChoice::kGaussian), (std::vector<std::size_t>{3, 2, 0}));
+}
+
+TEST(budget_search, of_equal_costs_the_plainest_unit_is_taken) {
+  std::vector<Measurement> all(4, made_up({}, 40, 1));
+  all[1].candidate = {{6, 8, 5, 5, 6}, Mode::kTable};
+  all[2].candidate = {{7, 8, 5, 5, 6}, Mode::kBilinear};
+  all[3].candidate = {{6, 8, 5, 5, 6}, Mode::kBilinear};
+  all[3].gaussian.mean_square *= 1.01;
+  const Costs costs = measured_costs(all, CostKind::kCycles);
+  const std::vector<std::size_t> places{0, 1, 2, 3};
+  EXPECT_EQ(choose(all, costs, std::span(places).first(2), TruthChoice::kGaussian), 1U);
+  EXPECT_EQ(choose(all, costs, std::span(places).first(3), TruthChoice::kGaussian), 2U);
+  EXPECT_EQ(choose(all, costs, places, TruthChoice::kGaussian), 3U);
 }
 
 // Of gates only those that have to be known are asked for, each unit once, and the least is found all the same.
