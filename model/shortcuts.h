@@ -113,7 +113,11 @@ class ShortcutUnit {
       case 1: leaves_channels_ ? filter_levels<1, 1>(planned, beat) : filter_levels<1, 4>(planned, beat); break;
       case 2: leaves_channels_ ? filter_levels<2, 2>(planned, beat) : filter_levels<2, 4>(planned, beat); break;
       default:
-        leaves_channels_&& filtered_ == 3 ? filter_levels<4, 3>(planned, beat) : filter_levels<4, 4>(planned, beat);
+        if (leaves_channels_ && filtered_ == 3) {
+          filter_levels<4, 3>(planned, beat);
+        } else {
+          filter_levels<4, 4>(planned, beat);
+        }
         break;
     }
     beat.status =
