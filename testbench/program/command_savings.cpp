@@ -93,18 +93,19 @@ class SceneWork {
 };
 
 // All units and the full one, two minutes each, on all processors.
-void synthesize(std::vector<Savings>& all, const Synthesis& synthesis, const std::filesystem::path& rtl) {
-  std::vector<Config> configs{kDefaultConfig};
-  for (const Savings& each : all) configs.push_back(each.config);
-  std::vector<StageArea> areas(configs.size());
-  Progress progress("synthesizing", configs.size());
+void synthesize(std::vector<Savings>& all, const Synthesis& synthesis, const std::string& full,
+                const std::filesystem::path& rtl) {
+  std::vector<std::string> sources{full};
+  for (const Savings& each : all) sources.push_back(unit_source(each.config, rtl));
+  std::vector<StageArea> areas(sources.size());
+  Progress progress("synthesizing", sources.size());
   progress.show();
   std::mutex mutex;
   std::exception_ptr failure;
-  for_each_index(0, static_cast<std::int64_t>(configs.size()), [&](std::int64_t number) {
+  for_each_index(0, static_cast<std::int64_t>(sources.size()), [&](std::int64_t number) {
     const auto i = static_cast<std::size_t>(number);
     try {
-      areas[i] = synthesis.report(synthesis.unit(unit_source(configs[i], rtl))).total();
+      areas[i] = synthesis.report(synthesis.unit(sources[i])).total();
       progress.advance(1);
     } catch (...) {
       const std::scoped_lock lock(mutex);
@@ -124,14 +125,14 @@ int run_savings(const SavingsOptions& options) {
   const std::filesystem::path rtl = std::filesystem::path(options.source) / "rtl";
   // Complaints come before the work.
   const SceneWork work(options);
-  unit_source(kDefaultConfig, rtl);
+  const std::string full = unit_source(rtl, std::filesystem::path(options.source) / "tables" / "generated");
   (void)Synthesis(options.library, nullptr);
   prepare_directory(options.output, {"savings.json", "savings.csv", "savings.md"});
   for (const Scene* const scene : chosen) prepare_unit(work.directory(*scene));
   const Cache cache(directory / "cache");
   std::vector<Savings> all;
   for (const Scene* const scene : chosen) all.push_back(work.of(*scene, cache));
-  synthesize(all, Synthesis(options.library, &cache), rtl);
+  synthesize(all, Synthesis(options.library, &cache), full, rtl);
   const std::string json = savings_json(all).dump(1) + "\n";
   const std::string table = savings_markdown(all);
   OutputFiles outputs;

@@ -116,20 +116,5 @@ TEST(area, program_says_what_is_missing) {
             std::string::npos);
 }
 
-// Two minutes.
-TEST(area_long, of_the_whole_unit) {
-  const Synthesis synthesis(kCellLibrary, nullptr);
-  const AreaReport report = synthesis.report(synthesis.unit(full_unit()));
-  ASSERT_EQ(report.stages.size(), 10U);
-  EXPECT_EQ(report.stages.front().stage, "group");
-  EXPECT_EQ(report.stages.back().stage, "rest");
-  EXPECT_LT(report.stages.back().gates, 500) << "cells that no stage has";
-  constexpr std::int64_t kLines = 16;
-  constexpr std::int64_t kBitsOfLine = 512 + Formats<kUnit>::kLine.width();
-  EXPECT_EQ(report.total().memory_bits, 2 * kLines * kBitsOfLine);
-  // Filter's 28 interpolations and accumulate's products are there, whatever else is.
-  EXPECT_GE(report.total().multiplier_count(), 28 + 4);
-}
-
 }  // namespace
 }  // namespace feline

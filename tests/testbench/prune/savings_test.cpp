@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tables/formats.h"
 #include "tests/support/pruned_configs.h"
 #include "tests/testbench/feline_program.h"
 
@@ -73,17 +74,36 @@ TEST(savings_program, refuses_and_says_what_is_legal) {
   expect_refused(dir, "savings --source /nonexistent" + output, {"--source", "/nonexistent"});
 }
 
-// Two syntheses: two minutes.
+// The areas of the whole unit, which take two minutes, and what one scene saves of them.
 TEST(savings_long, of_one_scene) {
   const TempDir dir;
+  const Outcome whole = run("area --json --cache " + quoted_path(dir, "savings/cache"));
+  ASSERT_EQ(whole.code, 0) << whole.text;
+  const auto area = nlohmann::json::parse(whole.text);
+  ASSERT_EQ(area["stages"].size(), 10U);
+  EXPECT_EQ(area["stages"].front()["stage"], "group");
+  EXPECT_EQ(area["stages"].back()["stage"], "rest");
+  EXPECT_LT(area["stages"].back()["gate_equivalents"], 500) << "cells that no stage has";
+
   const Outcome outcome = run("savings --json --scene runway --size 32 --output " + quoted_path(dir, "savings"));
   ASSERT_EQ(outcome.code, 0) << outcome.text;
   const auto json = nlohmann::json::parse(outcome.text);
   ASSERT_EQ(json.size(), 1U);
+  EXPECT_EQ(json[0]["holds"], true);
   EXPECT_EQ(json[0]["check"]["identical"], 32 * 32);
   EXPECT_EQ(json[0]["check"]["mismatches"], 0);
-  EXPECT_LT(json[0]["pruned"]["cells"].get<double>(), 0.7 * json[0]["full"]["cells"].get<double>());
-  EXPECT_GT(json[0]["pruned"]["cells"].get<double>(), 0.2 * json[0]["full"]["cells"].get<double>());
+  const auto& full = json[0]["full"];
+  const auto& pruned = json[0]["pruned"];
+  double cells = 0;
+  for (const auto& stage : area["stages"]) cells += stage["cells"].get<double>();
+  EXPECT_EQ(full["cells"], cells);
+  EXPECT_LT(pruned["cells"], 0.7 * cells);
+  EXPECT_GT(pruned["cells"], 0.2 * cells);
+  constexpr std::int64_t kLines = 16;
+  constexpr std::int64_t kBitsOfLine = 512 + Formats<kDefaultConfig>::kLine.width();
+  EXPECT_EQ(full["memory_bits"], 2 * kLines * kBitsOfLine);
+  // Filter's 28 interpolations and accumulate's products are there, whatever else is.
+  EXPECT_GE(full["multiplier_count"], 28 + 4);
   EXPECT_EQ(nlohmann::json::parse(read_bytes(dir / "savings" / "savings.json")), json);
   EXPECT_NE(read_bytes(dir / "savings" / "savings.md").find("| runway |"), std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(dir / "savings" / "runway" / "unit.h"));
