@@ -112,7 +112,7 @@ TEST(prune_program_long, proves_a_table_with_holes) {
   ASSERT_EQ(outcome.code, 0) << outcome.text;
   const auto json = nlohmann::json::parse(outcome.text);
   EXPECT_EQ(json["holds"], true);
-  const auto check = json["check"];
+  const auto& check = json["check"];
   EXPECT_EQ(check["lookups"], 2 * 32 * 32);
   EXPECT_EQ(check["mismatches"], 0);
   EXPECT_EQ(check["silent"], 0);
