@@ -4,7 +4,6 @@
 #include <algorithm>
 
 namespace feline {
-
 namespace {
 
 bool has_no_alpha(const Texture& texture) {

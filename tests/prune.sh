@@ -14,6 +14,7 @@ mapfile -t scenes < <(build/feline scene --list | awk '{ print $1 }')
 ((${#scenes[@]} > 1)) || { echo "prune.sh: feline scene --list names no scenes" >&2; exit 1; }
 for ((i = part; i < ${#scenes[@]}; i += parts)); do
   printf '%s: ' "${scenes[i]}"
-  build/feline prune --scene "${scenes[i]}" --mode simple,table --size 64 --output "build/units/${scenes[i]}" |
-    grep '^check'
+  said=$(build/feline prune --scene "${scenes[i]}" --mode simple,table --size 64 --output "build/units/${scenes[i]}") ||
+    { printf '\n%s\n' "$said"; exit 1; }
+  grep '^check' <<<"$said"
 done

@@ -103,9 +103,10 @@ std::string spill_width(const std::string& source) {
 std::string modules_text(const std::filesystem::path& rtl) { return text_of(rtl, "feline_", "--source"); }
 
 std::string unit_source(const std::filesystem::path& rtl, const std::filesystem::path& generated) {
+  // Wrong sources, of which `generated` may be a part, are told first.
+  const std::string modules = modules_text(rtl);
   const std::string roms = text_of(generated, "feline_rom_", "--generated");
-  return read_text(generated / "feline_pkg.sv", "--generated", "a directory with feline_pkg.sv") + roms +
-         modules_text(rtl);
+  return read_text(generated / "feline_pkg.sv", "--generated", "a directory with feline_pkg.sv") + roms + modules;
 }
 
 Synthesis::Synthesis(std::filesystem::path library, const Cache* cache) : library_(std::move(library)), cache_(cache) {

@@ -125,7 +125,6 @@ int run_savings(const SavingsOptions& options) {
   const std::filesystem::path rtl = std::filesystem::path(options.source) / "rtl";
   // Complaints come before the work.
   const SceneWork work(options);
-  modules_text(rtl);
   const std::string full = unit_source(rtl, std::filesystem::path(options.source) / "tables" / "generated");
   (void)Synthesis(options.library, nullptr);
   prepare_directory(options.output, {"savings.json", "savings.csv", "savings.md"});

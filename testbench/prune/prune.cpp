@@ -157,7 +157,7 @@ std::vector<PartSize> part_sizes(const Config& config) {
   const int cells = config.table_rows * config.table_columns;
   return {{"probes", config.max_probes, kFull.max_probes},
           {"levels", formats.levels, F::kLevels},
-          {"side bits", config.max_size_log2, kFull.max_size_log2},
+          {"size bits", config.max_size_log2, kFull.max_size_log2},
           {"exponent bits", config.exponent_bits, kFull.exponent_bits},
           {"position bits", formats.position.width(), F::kPosition.width()},
           {"table cells", config.features.table_feline ? present(config.table_cells, cells) : 0,

@@ -22,13 +22,13 @@ bool is_within(const Config& needed, const Config& available);
 
 // How much of a part a configuration has, and the default one.
 struct PartSize {
-  std::string_view what;  // "side bits": log2 of the largest side
+  std::string_view what;  // "size bits": log2 of the largest width and height
   int have = 0;
   int full = 0;
 };
 std::vector<PartSize> part_sizes(const Config& config);
 
-// What the default configuration has and this one has not, a line each: "modes: nearest, bilinear".
+// What the default configuration has and this one has not, a line each: "features: nearest, ext", "probes: 5 of 16".
 std::vector<std::string> left_out(const Config& config);
 
 // Every field by its name, but for the words of the ROMs.

@@ -40,6 +40,7 @@ TEST(budget_gates_long, rise_with_every_need) {
   const auto hardware = [&](const Candidate& candidate) { return hardware_for(exhibit, candidate); };
   // Each needs what the one before it does, and more.
   const std::vector<Candidate> rising{{{6, 8, 5, 5, 6}, Mode::kTrilinear, Kernel::kBilinear, ParameterSet::kExact, 1},
+                                      {{8, 8, 5, 5, 6}, Mode::kTrilinear, Kernel::kBilinear, ParameterSet::kExact, 1},
                                       {{8, 8, 8, 8, 6}, Mode::kTrilinear, Kernel::kBilinear, ParameterSet::kExact, 1},
                                       {{8, 8, 8, 8, 6}, Mode::kTrilinear, Kernel::kGaussian, ParameterSet::kExact, 1}};
   const Synthesis synthesis(kCellLibrary, nullptr);

@@ -28,10 +28,10 @@ Savings made_up() {
 
 TEST(savings, markdown) {
   const std::string text = savings_markdown({made_up()});
-  EXPECT_NE(text.find("| the full unit | 16 probes, 15 levels, 14 side bits, 6 exponent bits, "), std::string::npos);
+  EXPECT_NE(text.find("| the full unit | 16 probes, 15 levels, 14 size bits, 6 exponent bits, "), std::string::npos);
   EXPECT_NE(text.find(", 256 table cells, 77 weight rows, 25 features | 1000 | 2000 | 1000 | 10 |"), std::string::npos)
       << text;
-  EXPECT_NE(text.find("| 5 probes, 5 levels, 7 side bits, 3 exponent bits, "), std::string::npos) << text;
+  EXPECT_NE(text.find("| 5 probes, 5 levels, 7 size bits, 3 exponent bits, "), std::string::npos) << text;
   EXPECT_NE(text.find(", 0 table cells, "), std::string::npos) << text;
   EXPECT_NE(text.find("| 600 (-40 %) | 1500 (-25 %) | 100 | 5 | 12.5 | 40.0 dB | 30.0 dB | 8 of 8 |"),
             std::string::npos)
