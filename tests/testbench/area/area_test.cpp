@@ -76,7 +76,9 @@ TEST(area, source_is_the_package_and_every_module_once) {
   EXPECT_EQ(count("\nmodule feline_unit "), 1);
   EXPECT_EQ(count("\nmodule feline_rom_weight "), 1);
   const TempDir empty;
-  EXPECT_NE(input_error([&] { unit_source(empty / "", empty / ""); }).find("--generated"), std::string::npos);
+  EXPECT_NE(input_error([&] { unit_source(empty / "", empty / ""); }).find("--source"), std::string::npos);
+  const std::filesystem::path rtl = std::filesystem::path(FELINE_SOURCE_DIR) / "rtl";
+  EXPECT_NE(input_error([&] { unit_source(rtl, empty / ""); }).find("--generated"), std::string::npos);
 }
 
 // The four channels' products, and the flip-flops of two registers of every bit of a beat.
