@@ -73,12 +73,20 @@ struct LevelShape {
   }
 };
 
+constexpr std::int64_t level_size(std::int64_t size, std::int64_t level) {
+  return std::max<std::int64_t>(size >> level, 1);
+}
+
+constexpr std::int64_t tiles_a_row(std::int64_t width) {
+  constexpr std::int64_t kTileMask = (std::int64_t{1} << kTileLog2) - 1;
+  return (width + kTileMask) >> kTileLog2;
+}
+
 template <Config kConfig>
 LevelShape level_shape(const SamplerState<kConfig>& sampler, std::int64_t level) {
-  constexpr std::int64_t kTileMask = (std::int64_t{1} << kTileLog2) - 1;
-  const std::int64_t width = std::max<std::int64_t>(sampler.width.raw() >> level, 1);
-  const std::int64_t height = std::max<std::int64_t>(sampler.height.raw() >> level, 1);
-  return {width, height, (width + kTileMask) >> kTileLog2, sampler.level_base[static_cast<std::size_t>(level)].raw()};
+  const std::int64_t width = level_size(sampler.width.raw(), level);
+  const std::int64_t height = level_size(sampler.height.raw(), level);
+  return {width, height, tiles_a_row(width), sampler.level_base[static_cast<std::size_t>(level)].raw()};
 }
 
 template <Config kConfig>

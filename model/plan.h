@@ -53,6 +53,22 @@ ClampedRadii clamp_radii(const FootprintBeat<kConfig>& footprint, Mode mode, std
   return {false, std::max(round_up_ties(major * length_factor, F::kFactor.fraction_bits), minor), minor};
 }
 
+// The quotient of the radii in eighths, which probe count and weight row follow from; the minor radius is not 0.
+constexpr std::int64_t eighths_of(const ClampedRadii& radii) { return 8 * radii.major / radii.minor; }
+
+// How many probes a footprint wants, before any limit. It is not magnified, and its minor radius is not 0.
+template <Config kConfig>
+std::int64_t wanted_probes(const ClampedRadii& radii, Mode mode, const SamplerState<kConfig>& sampler) {
+  if (mode == Mode::kExt) return (radii.major + radii.minor - 1) / radii.minor;
+  if (rounds_up<kConfig>(sampler)) {
+    // ceiling(2 f major/minor) - 1 is the number of multiples of minor below 2 f major.
+    return (2 * sampler.probe_factor.raw() * radii.major - 1) /
+           (radii.minor << Formats<kConfig>::kFactor.fraction_bits);
+  }
+  // floor(fProbes + 1/2) with fProbes = 2 major/minor - 1.
+  return (eighths_of(radii) - 2) / 4;
+}
+
 struct ProbeChoice {
   std::int64_t probes;
   bool limited;  // more were wanted than max_probes
@@ -60,20 +76,10 @@ struct ProbeChoice {
 
 template <Config kConfig>
 ProbeChoice choose_probes(const ClampedRadii& radii, Mode mode, const SamplerState<kConfig>& sampler) {
-  using F = Formats<kConfig>;
   if (radii.magnified) return {1, false};
   const std::int64_t most = sampler.max_probes.raw();
   if (radii.minor == 0) return {most, true};
-  std::int64_t wanted = 0;
-  if (mode == Mode::kExt) {
-    wanted = (radii.major + radii.minor - 1) / radii.minor;
-  } else if (rounds_up<kConfig>(sampler)) {
-    // ceiling(2 f major/minor) - 1 is the number of multiples of minor below 2 f major.
-    wanted = (2 * sampler.probe_factor.raw() * radii.major - 1) / (radii.minor << F::kFactor.fraction_bits);
-  } else {
-    // floor(fProbes + 1/2) with fProbes = 2 major/minor - 1.
-    wanted = (8 * radii.major / radii.minor - 2) / 4;
-  }
+  const std::int64_t wanted = wanted_probes<kConfig>(radii, mode, sampler);
   return {std::clamp<std::int64_t>(wanted, 1, most), wanted > most};
 }
 
@@ -82,7 +88,7 @@ template <Config kConfig>
 std::int64_t choose_weight_row(const ClampedRadii& radii, Mode mode, std::int64_t probes) {
   if (mode == Mode::kExt) return Formats<kConfig>::kGaussianRows + probes - 1;
   if (probes == 1) return 0;
-  const std::int64_t quarters = radii.minor == 0 ? 4 * probes : 8 * radii.major / radii.minor - 4;
+  const std::int64_t quarters = radii.minor == 0 ? 4 * probes : eighths_of(radii) - 4;
   return std::clamp(quarters, 4 * probes - 3, 4 * probes) - 4;
 }
 
@@ -123,19 +129,22 @@ Fixed<Formats<kConfig>::kLevelOfDetail> level_of_radius(std::int64_t radius, std
   return LevelOfDetail::saturate(((exponent + top - F::kRadius.fraction_bits) << kFraction) + fraction);
 }
 
-// How far along the major vector half a step goes: a factor U1.16 of it.
+// The part of the major vector, U1.12, that the line from -(major - fitted) to +(major - fitted) spans.
 template <Config kConfig>
-std::int64_t half_step_factor(const FootprintBeat<kConfig>& footprint, Mode mode, const ClampedRadii& radii,
-                              std::int64_t fitted, std::int64_t probes) {
-  using F = Formats<kConfig>;
+std::int64_t line_fraction(std::int64_t major, std::int64_t fitted, std::int64_t major_radius) {
+  return ((major - fitted) << Formats<kConfig>::kLineFraction.fraction_bits) / major_radius;
+}
+
+// How far along the major vector half a step goes: a factor U1.16 of it. `line` is of line_fraction.
+template <Config kConfig>
+std::int64_t half_step_factor(Mode mode, std::int64_t probes, std::int64_t line) {
   const auto reciprocal = [](std::int64_t k) {
     return static_cast<std::int64_t>(roms<kConfig>().reciprocal.words[static_cast<std::size_t>(k)]);
   };
   if (probes == 1) return 0;
   // ext: steps of 1/(N + 1) of the vector. Feline: the line from -(major - minor) to +(major - minor) in N - 1 steps.
   if (mode == Mode::kExt) return round_up_ties(reciprocal(probes + 1), 1);
-  const std::int64_t line = ((radii.major - fitted) << F::kLineFraction.fraction_bits) / footprint.major_radius.raw();
-  return round_up_ties(line * reciprocal(probes - 1), F::kLineFraction.fraction_bits);
+  return round_up_ties(line * reciprocal(probes - 1), Formats<kConfig>::kLineFraction.fraction_bits);
 }
 
 template <Config kConfig>
@@ -154,8 +163,38 @@ Fixed<Formats<kConfig>::kHalfStep> to_half_step(std::int64_t vector, std::int64_
     constexpr int kSpare = 64 - F::kHalfStep.width();
     return Fixed<F::kHalfStep>::from_raw(static_cast<std::int64_t>(static_cast<std::uint64_t>(half_step) << kSpare) >>
                                          kSpare);
+  } else {
+    return Fixed<F::kHalfStep>::from_raw(half_step);
   }
-  return Fixed<F::kHalfStep>::from_raw(half_step);
+}
+
+// The level of detail that is sampled, from the one before its bias: clamped, and in the modes of one level rounded.
+struct LevelChoice {
+  std::int64_t level_of_detail;
+  bool linear;   // texels are interpolated
+  bool missing;  // either is not what it should be, as the configuration lacks it
+};
+
+template <Config kConfig>
+LevelChoice choose_level(std::int64_t base_level, Mode mode, const SamplerState<kConfig>& sampler) {
+  constexpr Features kFeatures = kConfig.features;
+  constexpr int kFraction = kConfig.level_fraction_bits;
+  const std::int64_t lambda =
+      std::clamp(base_level + sampler.level_bias.raw(), sampler.min_level.raw(), sampler.max_level.raw());
+  const bool magnifies = lambda == 0;
+  const bool nearest_level = mode == Mode::kNearest || mode == Mode::kBilinear;
+  // The nearest level, ties to the finer one, as OpenGL and Vulkan prefer.
+  constexpr std::int64_t kBelowHalf = (std::int64_t{1} << (kFraction - 1)) - 1;
+  const std::int64_t level = nearest_level ? ((lambda + kBelowHalf) >> kFraction) << kFraction : lambda;
+  const std::int64_t last = sampler.last_level.raw() << kFraction;
+  constexpr std::int64_t kWhole = ~((std::int64_t{1} << kFraction) - 1);
+  const std::int64_t sampled = std::min(level, last);
+  const std::int64_t level_of_detail = kFeatures.level_blend ? sampled : sampled & kWhole;
+  const bool linear_magnify = static_cast<Magnify>(sampler.magnify.raw()) == Magnify::kLinear;
+  const bool asked_linear = magnifies ? linear_magnify : mode != Mode::kNearest;
+  const bool linear = (asked_linear && kFeatures.linear_texels) || !kFeatures.nearest_texels;
+  const bool cut = level > last && sampler.levels_cut.raw() != 0;
+  return {level_of_detail, linear, cut || sampled != level_of_detail || asked_linear != linear};
 }
 
 // Where `skips_point`, the line of a single probe is not set up: its half steps are 0 without it, too.
@@ -163,7 +202,6 @@ template <Config kConfig>
 PlanBeat<kConfig> plan(const FootprintBeat<kConfig>& footprint, const SamplerState<kConfig>& sampler,
                        bool skips_point = false) {
   PlanBeat<kConfig> beat;
-  constexpr Features kFeatures = kConfig.features;
   beat.tag = footprint.tag;
   beat.s = footprint.s;
   beat.t = footprint.t;
@@ -178,16 +216,10 @@ PlanBeat<kConfig> plan(const FootprintBeat<kConfig>& footprint, const SamplerSta
   const bool beyond_smallest = base_level > (sampler.smallest_level.raw() << kFraction);
   const std::int64_t probes = beyond_smallest ? 1 : choice.probes;
 
-  const std::int64_t lambda =
-      std::clamp(base_level + sampler.level_bias.raw(), sampler.min_level.raw(), sampler.max_level.raw());
-  const bool magnifies = lambda == 0;
-  const bool nearest_level = mode == Mode::kNearest || mode == Mode::kBilinear;
-  // The nearest level, ties to the finer one, as OpenGL and Vulkan prefer.
-  constexpr std::int64_t kBelowHalf = (std::int64_t{1} << (kFraction - 1)) - 1;
-  const std::int64_t level = nearest_level ? ((lambda + kBelowHalf) >> kFraction) << kFraction : lambda;
-
   if (probes > 1 || !skips_point) {
-    const std::int64_t factor = half_step_factor<kConfig>(footprint, mode, radii, fitted, probes);
+    const std::int64_t line =
+        probes > 1 ? line_fraction<kConfig>(radii.major, fitted, footprint.major_radius.raw()) : 0;
+    const std::int64_t factor = half_step_factor<kConfig>(mode, probes, line);
     beat.half_step_s = to_half_step<kConfig>(footprint.major_u.raw(), factor, sampler.width_reciprocal.raw(),
                                              sampler.width_shift.raw(), exponent);
     beat.half_step_t = to_half_step<kConfig>(footprint.major_v.raw(), factor, sampler.height_reciprocal.raw(),
@@ -195,16 +227,10 @@ PlanBeat<kConfig> plan(const FootprintBeat<kConfig>& footprint, const SamplerSta
   }
   beat.probes = beat.probes.from_raw(probes);
   beat.weight_row = beat.weight_row.from_raw(choose_weight_row<kConfig>(radii, mode, probes));
-  const std::int64_t last = sampler.last_level.raw() << kFraction;
-  constexpr std::int64_t kWhole = ~((std::int64_t{1} << kFraction) - 1);
-  const std::int64_t sampled = std::min(level, last);
-  beat.level_of_detail = beat.level_of_detail.from_raw(kFeatures.level_blend ? sampled : sampled & kWhole);
-  const bool linear_magnify = static_cast<Magnify>(sampler.magnify.raw()) == Magnify::kLinear;
-  const bool linear = magnifies ? linear_magnify : mode != Mode::kNearest;
-  beat.linear = beat.linear.from_raw((linear && kFeatures.linear_texels) || !kFeatures.nearest_texels);
-  const bool missing = (choice.limited && sampler.probes_cut.raw() != 0) ||
-                       (level > last && sampler.levels_cut.raw() != 0) || sampled != beat.level_of_detail.raw() ||
-                       linear != (beat.linear.raw() != 0);
+  const LevelChoice level = choose_level<kConfig>(base_level, mode, sampler);
+  beat.level_of_detail = beat.level_of_detail.from_raw(level.level_of_detail);
+  beat.linear = beat.linear.from_raw(level.linear);
+  const bool missing = (choice.limited && sampler.probes_cut.raw() != 0) || level.missing;
   beat.status = beat.status.from_raw(footprint.status.raw() | unsupported_if(missing));
   return beat;
 }

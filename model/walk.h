@@ -24,6 +24,9 @@ Fixed<Formats<kConfig>::kPosition> probe_position(std::int64_t centre, std::int6
   return Fixed<Formats<kConfig>::kPosition>::from_raw(static_cast<std::int64_t>(wrapped) >> kSpare);
 }
 
+// How many half steps a probe is from the centre.
+constexpr std::int64_t probe_offset(std::int64_t probe, std::int64_t probes) { return 2 * probe - (probes - 1); }
+
 // The raw weight of the probe n half steps from the centre.
 template <Config kConfig>
 std::int64_t probe_weight(std::int64_t weight_row, std::int64_t n) {
@@ -48,7 +51,7 @@ WalkBeat<kConfig> walk(const PlanBeat<kConfig>& plan, std::int64_t probe) {
   beat.probe = beat.probe.from_raw(probe);
   beat.first = beat.first.from_raw(probe == 0);
   beat.last = beat.last.from_raw(probe == plan.probes.raw() - 1);
-  const std::int64_t n = 2 * probe - (plan.probes.raw() - 1);
+  const std::int64_t n = probe_offset(probe, plan.probes.raw());
   beat.s = probe_position<kConfig>(plan.s.raw(), plan.half_step_s.raw(), n);
   beat.t = probe_position<kConfig>(plan.t.raw(), plan.half_step_t.raw(), n);
   beat.status = row_status<kConfig>(plan);

@@ -22,64 +22,14 @@ module feline_choose_probes (
   output logic                                        limited_o,
   output logic [feline_pkg::EighthsWidth-1:0]         eighths_o
 );
-  localparam int unsigned RadiusWidth     = feline_pkg::RadiusWidth;
   localparam int unsigned ProbeCountWidth = feline_pkg::ProbeCountWidth;
-  localparam bit          AnyFeline       = feline_pkg::FeatureSimpleFeline || feline_pkg::FeatureTableFeline;
-  // Counts up to max_probes + 1: the quotients saturate at one too many or above.
-  localparam int unsigned WantedWidth = $clog2(feline_pkg::MaxProbes + 2);
+  localparam int unsigned WantedWidth     = $clog2(feline_pkg::MaxProbes + 2);
 
-  logic                   is_ext;
-  logic [WantedWidth-1:0] ceiling;
   logic [WantedWidth-1:0] wanted;
 
-  assign is_ext = feline_pkg::FeatureExt && mode_i == feline_pkg::ModeExt;
-
-  if (feline_pkg::FeatureExt || (AnyFeline && feline_pkg::FeatureFactors)) begin : gen_ceiling
-    feline_quotient #(
-      .NumeratorWidth  (feline_pkg::DividendWidth),
-      .DenominatorWidth(RadiusWidth),
-      .QuotientWidth   (WantedWidth)
-    ) u_ceiling (
-      .numerator_i  (dividend_i),
-      .denominator_i(minor_i),
-      .quotient_o   (ceiling)
-    );
-  end else begin : gen_one_probe
-    assign ceiling = WantedWidth'(1);
-
-    logic unused_inputs;
-    assign unused_inputs = ^{dividend_i, minor_i};
-  end
-
-  if (AnyFeline) begin : gen_nearest
-    logic [WantedWidth-1:0] nearest;
-
-    feline_quotient #(
-      .NumeratorWidth  (RadiusWidth + 3),
-      .DenominatorWidth(RadiusWidth),
-      .QuotientWidth   (feline_pkg::EighthsWidth)
-    ) u_eighths (
-      .numerator_i  ({major_i, 3'b000}),
-      .denominator_i(minor_i),
-      .quotient_o   (eighths_o)
-    );
-
-    // floor(fProbes + 1/2) with fProbes = 2 major/minor - 1; major >= minor.
-    assign nearest = WantedWidth'((eighths_o - feline_pkg::EighthsWidth'(2)) >> 2);
-
-    always_comb begin
-      wanted = ceiling;
-      if (!is_ext && (!feline_pkg::FeatureFactors || probe_rounding_i == feline_pkg::ProbeRoundingNearest)) begin
-        wanted = nearest;
-      end
-    end
-  end else begin : gen_ceiling_only
-    assign eighths_o = '0;
-    assign wanted    = ceiling;
-
-    logic unused_inputs;
-    assign unused_inputs = ^{major_i, is_ext, probe_rounding_i};
-  end
+  feline_wanted_probes u_wanted_probes (
+    .major_i, .minor_i, .dividend_i, .mode_i, .probe_rounding_i, .wanted_o(wanted), .eighths_o
+  );
 
   assign limited_o = !magnified_i && 32'(wanted) > 32'(max_probes_i);
 

@@ -32,7 +32,6 @@ module feline_plan_level_step (
   input  wire logic                                        plan_ready_i,
   output feline_pkg::plan_t                                plan_o
 );
-  localparam int unsigned RadiusWidth     = feline_pkg::RadiusWidth;
   localparam int unsigned ProbeCountWidth = feline_pkg::ProbeCountWidth;
   localparam int unsigned LineWidth       = feline_pkg::LineFractionWidth;
   localparam int unsigned LevelWidth      = feline_pkg::LevelOfDetailWidth;
@@ -87,14 +86,12 @@ module feline_plan_level_step (
   assign level_d.eighths    = eighths_i;
 
   if (AnyLine) begin : gen_product
-    if (feline_pkg::FeatureAnySize) begin : gen_any_size
-      assign level_d.product_s = ProductWidth'(major_u_i) * $signed(ProductWidth'(sampler_i.width_reciprocal));
-      assign level_d.product_t = ProductWidth'(major_v_i) * $signed(ProductWidth'(sampler_i.height_reciprocal));
-    end else begin : gen_power_of_two
-      // The reciprocal of a power of two is a shift.
-      assign level_d.product_s = ProductWidth'(major_u_i) <<< feline_pkg::SizeReciprocalFraction;
-      assign level_d.product_t = ProductWidth'(major_v_i) <<< feline_pkg::SizeReciprocalFraction;
-    end
+    feline_texture_product u_texture_product_s (
+      .vector_i(major_u_i), .reciprocal_i(sampler_i.width_reciprocal), .product_o(level_d.product_s)
+    );
+    feline_texture_product u_texture_product_t (
+      .vector_i(major_v_i), .reciprocal_i(sampler_i.height_reciprocal), .product_o(level_d.product_t)
+    );
   end else begin : gen_no_product
     assign level_d.product_s = '0;
     assign level_d.product_t = '0;
@@ -104,17 +101,7 @@ module feline_plan_level_step (
   end
 
   if (AnyFeline) begin : gen_line
-    logic [RadiusWidth-1:0] rest;
-
-    assign rest = major_i - fitted_i;
-
-    feline_quotient #(
-      .NumeratorWidth(RadiusWidth + feline_pkg::LineFractionFraction), .DenominatorWidth(RadiusWidth),
-      .QuotientWidth(LineWidth)
-    ) u_line (
-      .numerator_i({rest, {feline_pkg::LineFractionFraction{1'b0}}}), .denominator_i(major_radius_i),
-      .quotient_o(level_d.line)
-    );
+    feline_line_fraction u_line_fraction (.major_i, .fitted_i, .major_radius_i, .line_o(level_d.line));
   end else begin : gen_no_line
     assign level_d.line = '0;
 

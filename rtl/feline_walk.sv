@@ -20,18 +20,11 @@ module feline_walk (
   input  wire logic              walk_ready_i,
   output feline_pkg::walk_t      walk_o
 );
-  // n from -(probes - 1) to probes - 1, signed.
-  localparam int unsigned StepWidth   = feline_pkg::ProbeCountWidth + 1;
-  localparam int unsigned ColumnWidth = feline_pkg::WeightColumns > 1 ? $clog2(feline_pkg::WeightColumns) : 1;
-  localparam int unsigned WordWidth   = $clog2((feline_pkg::GaussianRows + feline_pkg::MaxProbes) *
-                                               feline_pkg::WeightColumns);
+  localparam int unsigned StepWidth = feline_pkg::ProbeCountWidth + 1;
 
   logic [feline_pkg::ProbeIndexWidth-1:0] probe_q;
   logic                                   last;
   logic signed [StepWidth-1:0]            n;
-  logic [StepWidth-1:0]                   distance;
-  logic [ColumnWidth-1:0]                 column;
-  logic [WordWidth-1:0]                   word;
   logic [feline_pkg::WeightWidth-1:0]     weight;
   logic                                   present;
   logic [feline_pkg::PositionWidth-1:0]   s;
@@ -39,14 +32,12 @@ module feline_walk (
   feline_pkg::walk_t                      beat;
   logic                                   beat_ready;
 
-  assign last     = StepWidth'(probe_q) + StepWidth'(1) == StepWidth'(plan_i.probes);
-  assign n        = $signed(StepWidth'({probe_q, 1'b0}) - StepWidth'(plan_i.probes) + StepWidth'(1));
-  assign distance = n < 0 ? StepWidth'(-n) : StepWidth'(n);
-  assign column   = ColumnWidth'((distance + StepWidth'(1)) >> 1);
-  assign word     = WordWidth'(plan_i.weight_row) * WordWidth'(feline_pkg::WeightColumns) + WordWidth'(column);
+  assign last = StepWidth'(probe_q) + StepWidth'(1) == StepWidth'(plan_i.probes);
 
-  feline_rom_weight u_weight (.index_i(word), .present_o(present), .data_o(weight));
-
+  feline_probe_weight u_probe_weight (
+    .probe_i(probe_q), .probes_i(plan_i.probes), .weight_row_i(plan_i.weight_row), .n_o(n), .weight_o(weight),
+    .present_o(present)
+  );
   feline_probe_position u_s (
     .centre_i(plan_i.s), .half_step_i(plan_i.half_step_s), .n_i(n), .position_o(s)
   );

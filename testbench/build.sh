@@ -22,7 +22,8 @@ feline_install() {
     /usr/include/nlohmann/json.hpp=nlohmann-json3-dev /usr/include/gtest/gtest.h=libgtest-dev \
     /usr/include/OpenImageIO/imageio.h=libopenimageio-dev /usr/bin/oiiotool=openimageio-tools \
     "/usr/lib/*/libz.so=zlib1g-dev" gnuplot=gnuplot-nox \
-    "/usr/include/*/gmp.h=libgmp-dev" /usr/include/mpfr.h=libmpfr-dev /usr/include/jxl/butteraugli.h=libjxl-dev "$@")
+    "/usr/include/*/gmp.h=libgmp-dev" /usr/include/mpfr.h=libmpfr-dev /usr/include/jxl/butteraugli.h=libjxl-dev \
+    /usr/include/xxhash.h=libxxhash-dev "$@")
   ((${#missing[@]} == 0)) && return
   echo "installing: ${missing[*]}"
   local sudo=()

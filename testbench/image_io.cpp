@@ -104,6 +104,10 @@ MipLevel convert_channels(const MipLevel& from, int from_channels, int to_channe
 bool seek_level(OIIO::ImageInput& input, const std::filesystem::path& path, int width, int height, int level) {
   if (!input.seek_subimage(0, level)) return false;
   const OIIO::ImageSpec& spec = input.spec();
+  if (level >= mip_count(width, height)) {
+    bad_input(path.string(), fmt::format("level {}", level), fmt::format("{} x {}", spec.width, spec.height),
+              "no level after 1 x 1");
+  }
   if (spec.width != mip_size(width, level) || spec.height != mip_size(height, level)) {
     bad_input(path.string(), fmt::format("level {}", level), fmt::format("{} x {}", spec.width, spec.height),
               fmt::format("{} x {}", mip_size(width, level), mip_size(height, level)));

@@ -29,7 +29,7 @@ TexelFormat format_of(int channels);
 MipLevel convert_channels(const MipLevel& from, int from_channels, int to_channels);
 
 // Goes to a MIP level of the first subimage, or returns false where the file has no such level. width and height are
-// those of level 0. Throws InputError for: level k, of another size than it has to be.
+// those of level 0. Throws InputError for: level k, of another size than it has to be, or after 1 x 1.
 bool seek_level(OIIO::ImageInput& input, const std::filesystem::path& path, int width, int height, int level);
 
 // Reads channels [0, channels) of a MIP level of the first subimage, row-major, interleaved,

@@ -19,36 +19,56 @@ if [[ $regex != . ]]; then
   exit
 fi
 
+day=$(($(date +%s) / 86400))
+# Every mantissa every time; of all other leaves, and of the proofs by SAT, a thirtieth. All of it: feline prove.
+step "footprint of every combination of mantissas: feline prove --leaf footprint.simple,footprint.table"
+certificate=testbench/prove/certificate.json
+rm -rf build/prove
+build/feline prove --leaf footprint.simple,footprint.table --against $certificate --output build/prove
+step "a thirtieth of all leaves and proofs: feline prove --shard $((day % 30))/30"
+build/feline prove --shard "$((day % 30))/30" --against $certificate --output build/prove
+
 step "every scene, mode, kernel and wrap at 192 x 192"
 build/feline cosim --scene all --mode all --kernel all --wrap all --size 192 --stalls 0.1 --memory-latency 10 \
   --no-wave | tail -n 1
 
-step "10 million random and directed lookups"
-for seed in 1 2; do
-  build/feline cosim --random 5000000 --seed "$seed" --stalls 0.1 --memory-latency 3 --no-wave | tail -n 1 &
-  pids+=($!)
-done
-for pid in "${pids[@]}"; do wait "$pid"; done
+# All the days another ten million. A hundred times as many in one run: --random 1000000000 --vary.
+step "10 million random and directed lookups: feline cosim --random 10000000 --vary --seed $day"
+build/feline cosim --random 10000000 --vary --seed "$day" --no-wave | tail -n 1
 
 step "the netlist in Icarus"
 tests/rtl/netlist.sh build/netlist
 
-# All of them: tests/prune.sh, a quarter of an hour.
-eighth=$(($(date +%s) / 86400 % 8))/8
-step "pruned units of an eighth of the scenes: tests/prune.sh --shard $eighth"
-tests/prune.sh --shard "$eighth"
+step "coverage: tests/coverage.sh"
+tests/coverage.sh
 
-# All of them: tests/configurations.sh.
-other=$( (($(date +%s) / 86400 % 2)) && echo bare || echo front)
-step "other configurations: tests/configurations.sh least most lean $other"
-tests/configurations.sh least most lean "$other"
-
-# In four days all of them: clang-tidy alone would take twenty minutes.
-shard=$(($(date +%s) / 86400 % 4))/4
-step "clang++, and clang-tidy for a quarter: tests/clang.sh build --shard $shard"
-tests/clang.sh build --shard "$shard"
-
-step "sanitizers"
-tests/sanitize.sh
+# By turns: all of it would be more than an hour.
+turn=$((day / 3))
+case $((day % 3)) in
+  0)
+    # Half of the tests each time; all of them: tests/sanitize.sh.
+    step "sanitizers, half of the tests: tests/sanitize.sh --half $((turn % 2))"
+    tests/sanitize.sh --half $((turn % 2))
+    ;;
+  1)
+    # All of them: tests/configurations.sh.
+    configurations=(least most lean bare front)
+    step "another configuration: tests/configurations.sh ${configurations[turn % 5]}"
+    tests/configurations.sh "${configurations[turn % 5]}"
+    # clang-tidy alone would take twenty minutes.
+    step "clang++, and clang-tidy for a sixth: tests/clang.sh build --shard $((turn % 6))/6"
+    tests/clang.sh build --shard "$((turn % 6))/6"
+    ;;
+  2)
+    # An hour each: tests/fuzz.sh --seconds 3600.
+    step "every parser under libFuzzer: tests/fuzz.sh"
+    tests/fuzz.sh
+    step "mutants of a stage of which none is left: feline mutate --stage walk"
+    build/feline mutate --stage walk --output build/mutants
+    # All of them: tests/prune.sh, a quarter of an hour.
+    step "pruned units of an eighth of the scenes: tests/prune.sh --shard $((turn % 8))/8"
+    tests/prune.sh --shard "$((turn % 8))/8"
+    ;;
+esac
 
 printf '\nall: %d s\n' "$SECONDS"

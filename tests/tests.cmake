@@ -11,7 +11,7 @@ function(feline_tests room)
   target_compile_definitions(${room}_test PRIVATE FELINE_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
                                                   FELINE_PROGRAM="$<TARGET_FILE:feline>"
                                                   FELINE_BROKEN="$<TARGET_FILE:feline_broken>")
-  target_link_libraries(${room}_test PRIVATE ${ARGN} GTest::gtest GTest::gtest_main mpfr gmpxx gmp)
+  target_link_libraries(${room}_test PRIVATE ${ARGN} feline_exact GTest::gtest GTest::gtest_main)
   gtest_discover_tests(${room}_test TEST_PREFIX ${room}. TEST_FILTER "-*_long.*" NO_PRETTY_VALUES
                        DISCOVERY_MODE PRE_TEST)
   gtest_discover_tests(${room}_test TEST_PREFIX ${room}. TEST_FILTER "*_long.*" TEST_SUFFIX .long TEST_LIST ${room}_long

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "testbench/atomic_file.h"
+#include "testbench/json_input.h"
 
 namespace feline {
 namespace {
@@ -72,13 +73,13 @@ nlohmann::ordered_json to_json(const Activity& activity) {
 
 Activity activity_from_json(const nlohmann::ordered_json& json) {
   Activity activity;
-  json.at("lookups").get_to(activity.lookups);
-  json.at("probes").get_to(activity.probes);
-  json.at("cycles").get_to(activity.cycles);
+  activity.lookups = whole_from_json<std::uint64_t>(json.at("lookups"));
+  activity.probes = whole_from_json<std::uint64_t>(json.at("probes"));
+  activity.cycles = whole_from_json<std::uint64_t>(json.at("cycles"));
   for (const auto& each : json.at("stages")) {
     StageToggles& stage = activity.stages.emplace_back();
     each.at("stage").get_to(stage.stage);
-    for (const auto& [name, count] : kCounts) each.at(name).get_to(stage.*count);
+    for (const auto& [name, count] : kCounts) stage.*count = whole_from_json<std::uint64_t>(each.at(name));
   }
   return activity;
 }

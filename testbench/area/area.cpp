@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <stdexcept>
+
+#include "testbench/json_input.h"
 
 namespace feline {
 namespace {
@@ -45,6 +48,14 @@ void add(std::vector<Multipliers>& all, const Multipliers& more) {
   }
 }
 
+std::int64_t count_in(const nlohmann::json& json) {
+  // Sums of products of two stay far below 2^63.
+  constexpr std::int64_t kMost = std::int64_t{1} << 24;
+  const auto count = whole_from_json<std::int64_t>(json);
+  if (count < 0 || count > kMost) throw std::runtime_error(fmt::format("not what Yosys writes: a count of {}", count));
+  return count;
+}
+
 // A bit is the number of its net, or "0", "1", "x".
 bool is_constant(const nlohmann::json& bits) {
   return std::ranges::all_of(bits, [](const nlohmann::json& bit) { return bit.is_string(); });
@@ -52,7 +63,7 @@ bool is_constant(const nlohmann::json& bits) {
 
 void add_word_cell(StageArea& stage, const nlohmann::json& cell) {
   const nlohmann::json& parameters = cell.at("parameters");
-  const auto value = [&](const char* name) { return parameters.at(name).get<std::int64_t>(); };
+  const auto value = [&](const char* name) { return count_in(parameters.at(name)); };
   if (cell.at("type") == "$mul") {
     const nlohmann::json& connections = cell.at("connections");
     if (is_constant(connections.at("A")) || is_constant(connections.at("B"))) return;
@@ -101,9 +112,10 @@ std::vector<StageArea> parse_area(std::string_view words, std::string_view cells
       for (const auto& [type, count] : module.at("num_cells_by_type").items()) {
         // Memories begin with $; stages are within the unit and count for themselves.
         if (type.starts_with('$') || type.starts_with("stage_")) continue;
-        stage.cells += count.get<std::int64_t>();
-        stage.gates += count.get<double>() * cell_area(library, type) / nand;
-        if (type.starts_with("DFF")) stage.flip_flops += count.get<std::int64_t>();
+        const std::int64_t cells_of_type = count_in(count);
+        stage.cells += cells_of_type;
+        stage.gates += static_cast<double>(cells_of_type) * cell_area(library, type) / nand;
+        if (type.starts_with("DFF")) stage.flip_flops += cells_of_type;
       }
     }
     const nlohmann::json netlist = nlohmann::json::parse(words);
@@ -124,11 +136,16 @@ std::vector<StageArea> parse_area(std::string_view words, std::string_view cells
 double cell_area(std::string_view library, std::string_view cell) {
   constexpr std::string_view kArea = "area :";
   const std::size_t start = library.find(fmt::format("cell ({})", cell));
-  const std::size_t at = start == std::string_view::npos ? start : library.find(kArea, start);
-  const double area = at == std::string_view::npos
-                          ? 0
-                          : std::strtod(std::string(library.substr(at + kArea.size(), 32)).c_str(), nullptr);
-  if (!(area > 0)) throw std::runtime_error(fmt::format("no area of a cell {}", cell));
+  double area = 0;
+  if (start != std::string_view::npos) {
+    const std::string_view own = library.substr(start, library.find("cell (", start + 1) - start);
+    const std::size_t at = own.find(kArea);
+    constexpr std::size_t kEnough = 32;
+    if (at != std::string_view::npos) {
+      area = std::strtod(std::string(own.substr(at + kArea.size(), kEnough)).c_str(), nullptr);
+    }
+  }
+  if (!(area > 0 && std::isfinite(area))) throw std::runtime_error(fmt::format("no area of a cell {}", cell));
   return area;
 }
 
@@ -151,13 +168,15 @@ nlohmann::ordered_json to_json(const StageArea& stage) {
 StageArea stage_area_from_json(const nlohmann::ordered_json& json) {
   StageArea stage;
   json.at("stage").get_to(stage.stage);
-  json.at("cells").get_to(stage.cells);
+  stage.cells = whole_from_json<std::int64_t>(json.at("cells"));
   json.at("gate_equivalents").get_to(stage.gates);
-  json.at("flip_flops").get_to(stage.flip_flops);
-  json.at("rom_bits").get_to(stage.rom_bits);
-  json.at("memory_bits").get_to(stage.memory_bits);
+  stage.flip_flops = whole_from_json<std::int64_t>(json.at("flip_flops"));
+  stage.rom_bits = whole_from_json<std::int64_t>(json.at("rom_bits"));
+  stage.memory_bits = whole_from_json<std::int64_t>(json.at("memory_bits"));
   for (const auto& each : json.at("multipliers")) {
-    stage.multipliers.push_back({each.at("left_bits"), each.at("right_bits"), each.at("count")});
+    stage.multipliers.push_back({whole_from_json<std::int16_t>(each.at("left_bits")),
+                                 whole_from_json<std::int16_t>(each.at("right_bits")),
+                                 whole_from_json<std::int16_t>(each.at("count"))});
   }
   return stage;
 }

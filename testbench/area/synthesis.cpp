@@ -5,13 +5,10 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <iterator>
-#include <system_error>
 
+#include "testbench/area/yosys.h"
 #include "testbench/atomic_file.h"
 #include "testbench/error.h"
-#include "testbench/page/process.h"
 
 namespace feline {
 namespace {
@@ -39,14 +36,6 @@ constexpr std::string_view kToGates =
 constexpr std::string_view kMapping = "+strash;dc2;dc2;amap;buffer;upsize;dnsize";
 constexpr std::string_view kConstraints = "set_driving_cell INVX4\nset_load 0.05 [all_outputs]\n";
 
-std::string read_text(const std::filesystem::path& path, std::string_view field, std::string_view legal) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path)) {
-    bad_input(path.string(), field, "no file that can be read", legal);
-  }
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 // Cells keep this attribute through what simplifies them, whatever they are called in the end.
 std::string mark(std::string_view part, std::string_view cells) {
   return fmt::format("setattr -set src \"stage_{}\" {}\n", part, cells);
@@ -63,15 +52,7 @@ std::string part_modules() {
 
 std::string in_quotes(const std::filesystem::path& path) { return fmt::format("\"{}\"", path.string()); }
 
-page::Finished yosys(const std::vector<std::string>& arguments) {
-  std::vector<std::string> command{"yosys"};
-  command.insert(command.end(), arguments.begin(), arguments.end());
-  try {
-    return page::run_process(command, "");
-  } catch (const std::system_error& error) {
-    throw InputError(fmt::format("yosys: {}; areas need it (Debian package yosys)", error.code().message()));
-  }
-}
+constexpr std::string_view kNeedsIt = "areas need it";
 
 // The SystemVerilog files of a directory that begin so, one after the other.
 std::string text_of(const std::filesystem::path& directory, const std::string& prefix, std::string_view field) {
@@ -110,8 +91,7 @@ std::string unit_source(const std::filesystem::path& rtl, const std::filesystem:
 }
 
 Synthesis::Synthesis(std::filesystem::path library, const Cache* cache) : library_(std::move(library)), cache_(cache) {
-  const page::Finished told = yosys({"-V"});
-  version_ = told.output.substr(0, told.output.find(" ("));
+  version_ = yosys_version(kNeedsIt);
   library_text_ = read_text(library_, "--library",
                             "a Liberty file, as of Debian package qflow-tech-osu018: " + std::string(kCellLibrary));
   try {
@@ -138,16 +118,14 @@ std::vector<StageArea> Synthesis::run(const std::string& source, const std::stri
   const AtomicFile cells(work / "feline-area-cells.json");
   for (const auto& [file, text] :
        {std::pair<const AtomicFile*, std::string_view>{&verilog, source}, {&constraints, kConstraints}}) {
-    std::ofstream out(file->temporary(), std::ios::binary);
-    out << text;
-    if (!out.flush()) bad_input(file->temporary().string(), "write", "an error", "room in the temporary directory");
+    write_text(file->temporary(), text);
   }
   const std::string script = fmt::format(
       "read_verilog -sv -noautowire {0}\n{1}dfflibmap -liberty {2}\n"
       "abc -liberty {2} -constr {3} -script {4}\nopt_clean -purge\ntee -q -o {5} stat -json",
       in_quotes(verilog.temporary()), fmt::format(fmt::runtime(commands), in_quotes(words.temporary())),
       in_quotes(library_), in_quotes(constraints.temporary()), kMapping, cells.temporary().string());
-  const page::Finished finished = yosys({"-q", "-p", script});
+  const page::Finished finished = run_yosys({"-q", "-p", script}, kNeedsIt);
   if (finished.code != 0) {
     throw InputError(fmt::format("yosys: exit code {}: {}", finished.code, finished.errors));
   }

@@ -8,6 +8,7 @@
 #include <map>
 #include <mutex>
 
+#include "testbench/json_input.h"
 #include "testbench/measure/render_rows.h"
 #include "testbench/measure/truth_store.h"
 #include "testbench/thread_time.h"
@@ -62,8 +63,8 @@ nlohmann::ordered_json BudgetScene::to_json(const Raw& raw) {
 BudgetScene::Raw BudgetScene::raw_from_json(const nlohmann::ordered_json& json) {
   Raw raw{errors_from_json(json.at("gaussian")), errors_from_json(json.at("box")), json.at("nanoseconds"), {}};
   const nlohmann::ordered_json& use = json.at("use");
-  raw.use.probes = use.at("probes");
-  for (const UseField& each : kUseNumbers) raw.use.*each.field = use.at(std::string(each.name));
+  raw.use.probes = whole_from_json<std::uint64_t>(use.at("probes"));
+  for (const UseField& each : kUseNumbers) raw.use.*each.field = whole_from_json<int>(use.at(std::string(each.name)));
   for (const UseFlag& each : kUseFlags) raw.use.*each.field = use.at(std::string(each.name));
   return raw;
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "tables/emit.h"
 #include "testbench/cosim/memory_model.h"
@@ -27,13 +28,21 @@ void Cosimulation::wave_cycle() {
   if (cycle_ == wave_->last_cycle + 1) unit_->close_wave();
 }
 
-void Cosimulation::reset(const Batch& batch) {
+Conditions Timing::conditions() const {
+  Conditions all;
+  all.memory_latency = memory_latency;
+  all.stalls.fill({stalls, 1});
+  return all;
+}
+
+void Cosimulation::begin(const Batch& batch) {
   std::array<std::uint32_t, beat_words<SamplerState<kUnit>>()> sampler{};
   pack(batch.sampler, sampler);
   unit_->set_sampler(sampler);
   const bool first = batches_++ == 0;
+  const bool follows = std::exchange(same_texture_, batch.same_texture_follows);
   // Reset once, at power-up; afterwards a batch only forgets the lines of the texture before it.
-  for (int i = 0; i < 2; ++i) {
+  for (int i = 0; i < 2 && (first || !follows); ++i) {
     wave_cycle();
     RtlUnit::Inputs inputs;
     inputs.reset = first;
@@ -41,6 +50,19 @@ void Cosimulation::reset(const Batch& batch) {
     unit_->cycle(inputs);
     ++cycle_;
   }
+}
+
+// In the midst of a batch: whatever is inside is gone.
+void Cosimulation::reset() {
+  wave_cycle();
+  RtlUnit::Inputs inputs;
+  inputs.reset = inputs.request_valid = inputs.accumulate_ready = inputs.memory_request_ready = true;
+  unit_->cycle(inputs);
+  ++cycle_;
+  ++resets_;
+  scoreboard_.forget();
+  inside_ = 0;
+  held_ = {};
 }
 
 bool Cosimulation::fail(Stage stage, std::string note) {
@@ -103,26 +125,40 @@ bool Cosimulation::drain() {
 
 bool Cosimulation::run(const Batch& batch, const PixelSink& sink) {
   if (mismatch()) return false;
-  reset(batch);
+  begin(batch);
+  const Conditions conditions = batch.conditions.value_or(timing_.conditions());
   const std::uint64_t part = derived_seed(timing_.seed, batches_);
-  MemoryModel memory(*batch.memory, timing_.memory_latency, timing_.stalls, derived_seed(part, 1));
-  SplitMix64 request_stalls(derived_seed(part, 2));
-  SplitMix64 pixel_stalls(derived_seed(part, 3));
-  const auto stalls = [&](SplitMix64& random) { return timing_.stalls != 0 && random.chance(timing_.stalls); };
+  std::optional<MemoryModel> memory(std::in_place, *batch.memory, conditions, derived_seed(part, 1));
+  StallSource request_stalls(conditions.at(Port::kRequest), derived_seed(part, 2));
+  StallSource pixel_stalls(conditions.at(Port::kPixel), derived_seed(part, 3));
+  SplitMix64 resets(derived_seed(part, 4));
+  std::uint64_t resets_left = conditions.resets == 0 ? 0 : Conditions::kMostResets;
 
   std::array<std::uint32_t, beat_words<RequestBeat<kUnit>>()> request{};
   std::size_t offered = 0;
   std::uint64_t pixels = 0;
   bool offering = false;
   // Longer than any legal wait: all probes of 8 misses each, with their latency and their stalls.
-  const double patience = 2000.0 + kUnit.max_probes * 8 * (timing_.memory_latency + 20) * 8 / (1 - timing_.stalls);
+  double patience = kUnit.max_probes * 8.0 * (conditions.memory_latency + 20) * 8;
+  for (const StallPattern& pattern : conditions.stalls) patience *= pattern.cycles();
+  patience += 2000;
   std::uint64_t last_progress = cycle_;
   std::uint64_t last_pixel = cycle_;
 
   while (pixels < batch.lookups.size()) {
+    if (resets_left != 0 && resets.chance(conditions.resets)) {
+      reset();
+      --resets_left;
+      memory_reads_ += memory->requests();
+      memory.emplace(*batch.memory, conditions, derived_seed(part, 4 + resets_));
+      // What was inside is asked for again.
+      offered = pixels;
+      offering = false;
+      last_progress = last_pixel = cycle_;
+    }
     wave_cycle();
-    memory.begin_cycle(cycle_);
-    if (!offering && offered < batch.lookups.size() && !stalls(request_stalls)) {
+    memory->begin_cycle(cycle_);
+    if (!request_stalls.stalls() && !offering && offered < batch.lookups.size()) {
       const std::uint64_t lookup = batch.first_lookup + offered;
       const auto beat = make_request<kUnit>(batch.lookups[offered], static_cast<std::int64_t>(lookup));
       scoreboard_.expect(beat, batch.sampler, *batch.memory, lookup);
@@ -132,13 +168,14 @@ bool Cosimulation::run(const Batch& batch, const PixelSink& sink) {
     }
     RtlUnit::Inputs inputs;
     inputs.request_valid = offering;
-    inputs.memory_request_ready = memory.request_ready();
-    inputs.memory_response_valid = memory.response_valid();
-    if (memory.response_valid()) unit_->set_memory_response(memory.response());
-    inputs.accumulate_ready = !stalls(pixel_stalls);
+    inputs.memory_request_ready = memory->request_ready();
+    inputs.memory_response_valid = memory->response_valid();
+    if (memory->response_valid()) unit_->set_memory_response(memory->response());
+    inputs.accumulate_ready = !pixel_stalls.stalls();
     unit_->cycle(inputs);
 
     const RtlUnit::Outputs outputs = unit_->outputs();
+    pace_ = (pace_ ^ outputs.taken) * 0x100000001b3;  // FNV-1a
     bool holds = true;
     for (std::size_t index = 0; index < kStageCount && holds; ++index) {
       if ((outputs.taken >> index & 1) == 0) continue;
@@ -160,14 +197,14 @@ bool Cosimulation::run(const Batch& batch, const PixelSink& sink) {
       ++inside_;
     }
     if (outputs.accumulate_valid && inputs.accumulate_ready) --inside_;
-    if (memory.response_valid() && outputs.memory_response_ready) memory.take_response();
-    if (outputs.memory_request_valid && memory.request_ready() &&
-        !memory.take_request(outputs.memory_request_line, cycle_)) {
+    if (memory->response_valid() && outputs.memory_response_ready) memory->take_response();
+    if (outputs.memory_request_valid && memory->request_ready() &&
+        !memory->take_request(outputs.memory_request_line, cycle_)) {
       holds = holds && fail(Stage::kFetch, "a read beyond the texture's last line");
     }
     ++cycle_;
     if (!holds) {
-      memory_reads_ += memory.requests();
+      memory_reads_ += memory->requests();
       // A few cycles more, for whoever reads the waveform.
       for (; wave_ && cycle_ <= wave_->last_cycle; ++cycle_) {
         wave_cycle();
@@ -178,15 +215,15 @@ bool Cosimulation::run(const Batch& batch, const PixelSink& sink) {
       return false;
     }
     if (static_cast<double>(cycle_ - last_progress) > patience || static_cast<double>(cycle_ - last_pixel) > patience) {
-      memory_reads_ += memory.requests();
+      memory_reads_ += memory->requests();
       if (!scoreboard_.blame_stopped(outputs.offered, batch.first_lookup + offered, last_progress)) {
         fail(Stage::kGroup, "the unit takes no request");
       }
       return false;
     }
   }
-  memory_reads_ += memory.requests();
-  return scoreboard_.finish(cycle_) && drain();
+  memory_reads_ += memory->requests();
+  return scoreboard_.finish(cycle_) && (batch.same_texture_follows || drain());
 }
 
 }  // namespace feline

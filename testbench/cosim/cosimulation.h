@@ -10,23 +10,28 @@
 
 #include "model/lookup.h"
 #include "model/sampler.h"
+#include "testbench/cosim/conditions.h"
 #include "testbench/cosim/rtl_unit.h"
 #include "testbench/cosim/scoreboard.h"
 
 namespace feline {
 
-// Lookups under one sampler state and texture. The unit is flushed before them.
+// Lookups under one sampler state and texture.
 struct Batch {
   SamplerState<kUnit> sampler;
   const TextureMemory* memory = nullptr;
   std::span<const Lookup> lookups;
   std::uint64_t first_lookup = 0;  // the number of lookups.front() in the run, for messages and tags
+  // The next batch has the same texture: it begins at once, and the unit is not flushed before it.
+  bool same_texture_follows = false;
+  std::optional<Conditions> conditions{};  // instead of those of the run
 };
 
 struct Timing {
   int memory_latency = 20;  // cycles, >= 1; with stalls, each read takes up to twice as long
   double stalls = 0;        // chance of a stall, 0 .. 0.95, at each port and cycle
   std::uint64_t seed = 1;
+  Conditions conditions() const;
 };
 
 // A window of cycles that is written to a waveform.
@@ -54,9 +59,13 @@ class Cosimulation {
   const std::array<std::uint64_t, kStageCount>& beats() const { return scoreboard_.beats(); }
   std::uint64_t cycles() const { return cycle_; }
   std::uint64_t memory_reads() const { return memory_reads_; }
+  std::uint64_t resets() const { return resets_; }
+  // A hash of which stages gave a beat in which cycle.
+  std::uint64_t pace() const { return pace_; }
 
  private:
-  void reset(const Batch& batch);
+  void begin(const Batch& batch);
+  void reset();
   bool drain();
   bool check_protocol(const RtlUnit::Outputs& outputs, const RtlUnit::Inputs& inputs);
   bool check_busy(const RtlUnit::Outputs& outputs, std::uint64_t entered);
@@ -70,7 +79,10 @@ class Cosimulation {
   std::optional<WaveWindow> wave_;
   std::uint64_t cycle_ = 0;
   std::uint64_t memory_reads_ = 0;
+  std::uint64_t resets_ = 0;
+  std::uint64_t pace_ = 0;
   std::uint64_t batches_ = 0;
+  bool same_texture_ = false;
   std::uint64_t inside_ = 0;  // requests taken less pixels taken
   RtlUnit::Outputs held_;     // offered, not yet taken
   std::array<std::vector<std::uint32_t>, kStageCount> held_beats_;

@@ -105,6 +105,7 @@ CosimResult run_job(const CosimJob& job, const RtlFactory& factory, const Follow
   result.lookups = result.beats[static_cast<std::size_t>(Stage::kAccumulate)];
   result.probes = result.beats[static_cast<std::size_t>(Stage::kWalk)];
   result.cycles = pass.simulation->cycles();
+  result.resets = pass.simulation->resets();
   result.memory_reads = pass.simulation->memory_reads();
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (!pass.holds) {

@@ -28,6 +28,7 @@ struct CosimResult {
   std::array<std::uint64_t, kStageCount> beats{};
   std::uint64_t mismatches = 0;
   std::uint64_t cycles = 0;
+  std::uint64_t resets = 0;
   std::uint64_t memory_reads = 0;
   double seconds = 0;
   std::string message;  // what to tell about a mismatch

@@ -3,19 +3,26 @@
 
 namespace feline {
 
+MemoryModel::MemoryModel(const TextureMemory& memory, const Conditions& conditions, std::uint64_t seed)
+    : memory_(memory),
+      latency_(static_cast<std::uint32_t>(conditions.memory_latency)),
+      jitter_(conditions.at(Port::kMemoryResponse).chance != 0),
+      request_stalls_(conditions.at(Port::kMemoryRequest), derived_seed(seed, 1)),
+      response_stalls_(conditions.at(Port::kMemoryResponse), derived_seed(seed, 2)),
+      random_(seed) {}
+
 void MemoryModel::begin_cycle(std::uint64_t cycle) {
-  request_ready_ = stall_ == 0 || !random_.chance(stall_);
+  request_ready_ = !request_stalls_.stalls();
   // Once offered, a response stays until it is taken.
   const bool due = !waiting_.empty() && waiting_.front().due <= cycle;
-  response_valid_ = due && (response_valid_ || stall_ == 0 || !random_.chance(stall_));
+  const bool stalls = response_stalls_.stalls();
+  response_valid_ = due && (response_valid_ || !stalls);
 }
 
 bool MemoryModel::take_request(std::uint32_t line, std::uint64_t cycle) {
   ++requests_;
   if (line >= memory_.lines()) return false;
-  const auto latency = static_cast<std::uint64_t>(latency_);
-  const std::uint64_t more = stall_ == 0 ? 0 : random_.below(static_cast<std::uint32_t>(latency) + 1);
-  waiting_.push_back({line, cycle + latency + more});
+  waiting_.push_back({line, cycle + latency_ + (jitter_ ? random_.below(latency_ + 1) : 0)});
   return true;
 }
 

@@ -6,16 +6,15 @@
 #include <span>
 
 #include "model/memory.h"
-#include "testbench/random.h"
+#include "testbench/cosim/conditions.h"
 
 namespace feline {
 
-// A read port's other end: answers in order, each `latency` cycles after its request; with stalls a random number of
-// cycles from that to twice as many, and later still with the chance of a stall in every cycle. latency >= 1.
+// A read port's other end: answers in order, each as many cycles after its request as the conditions' latency says;
+// with stalls of the response a random number of cycles from that to twice as many, and later still while it stalls.
 class MemoryModel {
  public:
-  MemoryModel(const TextureMemory& memory, int latency, double stall, std::uint64_t seed)
-      : memory_(memory), latency_(latency), stall_(stall), random_(seed) {}
+  MemoryModel(const TextureMemory& memory, const Conditions& conditions, std::uint64_t seed);
 
   // Called once a cycle, before the unit's; then both answers hold for that cycle.
   void begin_cycle(std::uint64_t cycle);
@@ -34,8 +33,10 @@ class MemoryModel {
     std::uint64_t due;
   };
   const TextureMemory& memory_;
-  int latency_;
-  double stall_;
+  std::uint32_t latency_;
+  bool jitter_;
+  StallSource request_stalls_;
+  StallSource response_stalls_;
   SplitMix64 random_;
   std::deque<Waiting> waiting_;
   bool request_ready_ = false;

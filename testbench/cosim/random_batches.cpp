@@ -70,11 +70,24 @@ Lookup wild(SplitMix64& random) {
           any_class(random), any_class(random), any_class(random)};
 }
 
+constexpr std::uint32_t kOperands = 6;
+
+float& operand(Lookup& lookup, std::uint32_t number) {
+  float* const operands[kOperands] = {&lookup.s, &lookup.t, &lookup.dsdx, &lookup.dtdx, &lookup.dsdy, &lookup.dtdy};
+  return *operands[number];
+}
+
 // Tame, but for one operand.
 Lookup directed(SplitMix64& random, int width, int height) {
   Lookup lookup = tame(random, width, height);
-  float* const operands[] = {&lookup.s, &lookup.t, &lookup.dsdx, &lookup.dtdx, &lookup.dsdy, &lookup.dtdy};
-  *operands[random.below(6)] = any_class(random);
+  operand(lookup, random.below(kOperands)) = any_class(random);
+  return lookup;
+}
+
+Lookup patterned(SplitMix64& random, int width, int height, std::uint64_t number) {
+  Lookup lookup = tame(random, width, height);
+  operand(lookup, static_cast<std::uint32_t>(number % kOperands)) =
+      float_pattern(static_cast<std::uint32_t>(number / kOperands % kFloatPatterns));
   return lookup;
 }
 
@@ -88,9 +101,8 @@ int random_side(SplitMix64& random) {
 
 Texture random_texture(SplitMix64& random) {
   constexpr int kLargest = 1 << kUnit.max_size_log2;
-  Texture texture;
-  texture.format = static_cast<TexelFormat>(random.below(3));
-  texture.srgb = random.below(2) != 0;
+  const auto format = static_cast<TexelFormat>(random.below(3));
+  const bool srgb = random.below(2) != 0;
   int width = std::min(random_side(random), kLargest);
   int height = std::min(random_side(random), kLargest);
   switch (random.below(12)) {
@@ -113,6 +125,20 @@ Texture random_texture(SplitMix64& random) {
   }
   constexpr int kLevels = kUnit.max_size_log2 + 1;
   const int levels = random.below(4) == 0 ? 1 + static_cast<int>(random.below(kLevels)) : kLevels;
+  return random_texture(random, format, srgb, width, height, levels);
+}
+
+template <typename T>
+T pick(SplitMix64& random, const std::vector<T>& from) {
+  return from[random.below(static_cast<std::uint32_t>(from.size()))];
+}
+
+}  // namespace
+
+Texture random_texture(SplitMix64& random, TexelFormat format, bool srgb, int width, int height, int levels) {
+  Texture texture;
+  texture.format = format;
+  texture.srgb = srgb;
   for (int k = 0; k < levels; ++k) {
     MipLevel level{std::max(width >> k, 1), std::max(height >> k, 1), {}};
     level.texels.resize(static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height) *
@@ -122,11 +148,6 @@ Texture random_texture(SplitMix64& random) {
     if (texture.levels.back().width == 1 && texture.levels.back().height == 1) break;
   }
   return texture;
-}
-
-template <typename T>
-T pick(SplitMix64& random, const std::vector<T>& from) {
-  return from[random.below(static_cast<std::uint32_t>(from.size()))];
 }
 
 SamplerOptions random_sampler(SplitMix64& random, const SamplerChoices& choices) {
@@ -158,24 +179,33 @@ SamplerOptions random_sampler(SplitMix64& random, const SamplerChoices& choices)
   return options;
 }
 
-}  // namespace
+Lookup random_lookup(SplitMix64& random, int width, int height) {
+  const std::uint32_t kind = random.below(8);
+  return kind < 5 ? tame(random, width, height) : kind < 7 ? directed(random, width, height) : wild(random);
+}
+
+RandomBatches::RandomBatches(std::uint64_t seed, std::uint64_t batch_lookups)
+    : seed_(seed), batch_lookups_(batch_lookups) {}
 
 Batch RandomBatches::make(std::uint64_t number, std::uint64_t lookups) {
+  if (loaded_ != number / 2) {
+    loaded_ = number / 2;
+    SplitMix64 random(derived_seed(derived_seed(seed_, 1), number / 2));
+    texture_ = random_texture(random);
+    memory_ = layout_texture(texture_);
+  }
   SplitMix64 random(derived_seed(seed_, number));
-  texture_ = random_texture(random);
   options_ = random_sampler(random, choices_);
-  memory_ = layout_texture(texture_);
   const std::uint64_t first = number * batch_lookups_;
   const int width = texture_.levels.front().width;
   const int height = texture_.levels.front().height;
   lookups_.clear();
   for (std::uint64_t i = first; i < std::min(first + batch_lookups_, lookups); ++i) {
-    const std::uint32_t kind = random.below(8);
-    lookups_.push_back(kind < 5   ? tame(random, width, height)
-                       : kind < 7 ? directed(random, width, height)
-                                  : wild(random));
+    lookups_.push_back(i % 8 == 7 ? patterned(random, width, height, i / 8) : random_lookup(random, width, height));
   }
-  return {make_sampler<kUnit>(options_, texture_, memory_), &memory_, lookups_, first};
+  Batch batch{make_sampler<kUnit>(options_, texture_, memory_), &memory_, lookups_, first, number % 2 == 0, {}};
+  if (vary_) batch.conditions = random_conditions(random);
+  return batch;
 }
 
 }  // namespace feline

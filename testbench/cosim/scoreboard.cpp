@@ -20,9 +20,7 @@ void BeatQueue::pop() {
   // Given up in blocks, so that popping stays cheap and memory bounded.
   constexpr std::size_t kBlock = 1024;
   if (first_ == names_.size()) {
-    names_.clear();
-    data_.clear();
-    first_ = 0;
+    clear();
   } else if (first_ == kBlock) {
     names_.erase(names_.begin(), names_.begin() + kBlock);
     data_.erase(data_.begin(), data_.begin() + static_cast<std::ptrdiff_t>(kBlock * words_));
@@ -30,11 +28,21 @@ void BeatQueue::pop() {
   }
 }
 
+void BeatQueue::clear() {
+  names_.clear();
+  data_.clear();
+  first_ = 0;
+}
+
 Scoreboard::Scoreboard() {
   [&]<std::size_t... kStage>(std::index_sequence<kStage...>) {
     (queues_.emplace_back(static_cast<std::size_t>(beat_words<StageBeat<kUnit, kStage>>())), ...);
   }
   (std::make_index_sequence<kStageCount>{});
+}
+
+void Scoreboard::forget() {
+  for (BeatQueue& queue : queues_) queue.clear();
 }
 
 void Scoreboard::expect(const RequestBeat<kUnit>& request, const SamplerState<kUnit>& sampler,

@@ -41,6 +41,7 @@ class BeatQueue {
   std::span<std::uint32_t> push(std::uint64_t lookup, std::uint64_t probe);
   Entry front() const;
   void pop();
+  void clear();
 
  private:
   std::size_t words_;
@@ -63,6 +64,8 @@ class Scoreboard {
   // walk gives its first beats while the plan is still offered. If walk was found wrong, and the plan on offer for the
   // same lookup is wrong as well, the plan is the first wrong stage.
   void blame_plan(std::span<const std::uint32_t> offered, std::uint64_t cycle);
+  // The unit was reset: nothing is owed.
+  void forget();
   // At the end nothing may be owed.
   bool finish(std::uint64_t cycle);
   // The unit has stopped: names the stage that holds everything up, which is the last one that owes a beat and does not

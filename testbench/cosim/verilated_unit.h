@@ -123,6 +123,9 @@ class VerilatedUnit : public RtlUnit {
     }
   }
 
+ protected:
+  VerilatedContext& context() { return context_; }
+
  private:
   struct None {};
 

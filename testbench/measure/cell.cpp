@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "testbench/json_input.h"
 #include "testbench/measure/detail.h"
 #include "testbench/measure/perception.h"
 #include "testbench/page/html.h"
@@ -66,7 +67,8 @@ nlohmann::ordered_json to_json(const CellErrors& errors) {
 }
 
 CellErrors cell_errors_from_json(const nlohmann::ordered_json& json) {
-  CellErrors errors{errors_from_json(json), json.at("worst_frame"), std::nullopt, json.at("butteraugli")};
+  CellErrors errors{errors_from_json(json), whole_from_json<int>(json.at("worst_frame")), std::nullopt,
+                    json.at("butteraugli")};
   if (json.contains("shimmer")) errors.shimmer = json.at("shimmer").get<double>();
   return errors;
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "testbench/json_input.h"
+
 namespace feline {
 namespace {
 
@@ -39,7 +41,8 @@ nlohmann::ordered_json to_json(const Errors& errors) {
 }
 
 Errors errors_from_json(const nlohmann::ordered_json& json) {
-  return {json.at("mean_square"), json.at("worst"), json.at("worst_column"), json.at("worst_row")};
+  return {json.at("mean_square"), json.at("worst"), whole_from_json<int>(json.at("worst_column")),
+          whole_from_json<int>(json.at("worst_row"))};
 }
 
 Errors compare(const FloatPicture& picture, const FloatPicture& truth, int channels) {

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "testbench/json_input.h"
 #include "testbench/measure/truth_store.h"
 #include "testbench/page/html.h"
 #include "testbench/progress.h"
@@ -25,7 +26,8 @@ nlohmann::ordered_json to_json(const Detail& detail) {
 }
 
 Detail detail_from_json(const nlohmann::ordered_json& json) {
-  return {json.at("left"), json.at("top"), json.at("size")};
+  return {whole_from_json<int>(json.at("left")), whole_from_json<int>(json.at("top")),
+          whole_from_json<int>(json.at("size"))};
 }
 
 nlohmann::ordered_json to_json(const TruthFacts& facts) {
@@ -40,9 +42,12 @@ nlohmann::ordered_json to_json(const TruthFacts& facts) {
 }
 
 TruthFacts facts_from_json(const nlohmann::ordered_json& json) {
-  return {json.at("gaussian_error"), json.at("box_error"),
-          json.at("samples"),        {detail_from_json(json.at("detail")), detail_from_json(json.at("quarter"))},
-          json.at("overview_png"),   json.at("gaussian_png"),
+  return {json.at("gaussian_error"),
+          json.at("box_error"),
+          whole_from_json<int>(json.at("samples")),
+          {detail_from_json(json.at("detail")), detail_from_json(json.at("quarter"))},
+          json.at("overview_png"),
+          json.at("gaussian_png"),
           json.at("box_png")};
 }
 

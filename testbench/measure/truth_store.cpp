@@ -3,6 +3,9 @@
 
 #include <cstring>
 #include <stdexcept>
+#include <utility>
+
+#include "testbench/image.h"
 
 namespace feline {
 namespace {
@@ -33,6 +36,10 @@ Truth truth_from_bytes(std::string_view bytes) {
   Header header{};
   if (bytes.size() < sizeof header) throw std::runtime_error("truth: too few bytes");
   std::memcpy(&header, bytes.data(), sizeof header);
+  const auto is_side = [](std::int64_t side) { return side >= 1 && side <= kMaxImageSize; };
+  if (!is_side(header.width) || !is_side(header.height) || !std::in_range<int>(header.samples)) {
+    throw std::runtime_error("truth: no such picture");
+  }
   const std::size_t count = static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height);
   const std::size_t size = count * sizeof(std::array<float, 4>);
   if (bytes.size() != sizeof header + 2 * size) throw std::runtime_error("truth: bytes do not fill the picture");

@@ -12,9 +12,9 @@
 namespace feline::page {
 namespace {
 
-constexpr int kLeft = 74;  // for the names of rows
 constexpr int kTop = 6;
-constexpr int kBelow = 92;        // for the names of columns, the label and the legend
+constexpr int kLine = 18;
+constexpr int kBelow = 74;        // for the label and the legend
 constexpr int kLeastCrossed = 8;  // of narrower cells nothing but their crosses would be seen
 constexpr int kLegendWidth = 160;
 constexpr int kLegendSteps = 32;
@@ -36,7 +36,7 @@ std::string cells(const HeatMap& map, std::uint64_t most) {
     for (int column = 0; column < map.columns; ++column) {
       const auto& count = map.counts[static_cast<std::size_t>(row * map.columns + column)];
       if (!count) continue;
-      const int x = kLeft + column * map.cell_width;
+      const int x = map.names_width + column * map.cell_width;
       const int y = kTop + row * map.cell_height;
       rectangles += fmt::format("<rect x='{}' y='{}' width='{}' height='{}' fill='{}'><title>{}</title></rect>\n", x, y,
                                 map.cell_width, map.cell_height, colour_text(*count, most), *count);
@@ -46,6 +46,20 @@ std::string cells(const HeatMap& map, std::uint64_t most) {
   }
   return "<g shape-rendering='crispEdges'>\n" + rectangles + "</g>\n" +
          (crosses.empty() ? "" : fmt::format("<path d='{}' stroke='#33475b' stroke-width='1'/>\n", crosses));
+}
+
+std::string column_names(const HeatMap& map, int y) {
+  std::string html;
+  for (std::size_t i = 0; i < map.column_names.size(); ++i) {
+    const double x = map.names_width + (static_cast<double>(i) + 0.5) * map.cell_width;
+    if (map.names_height <= kLine) {
+      html += text(x, y + kLine, "middle", map.column_names[i]);
+    } else {
+      html += fmt::format("<g transform='rotate(-90 {0:.1f} {1})'>\n{2}</g>\n", x + 5, y + 6,
+                          text(x + 5, y + 6, "end", map.column_names[i]));
+    }
+  }
+  return html;
 }
 
 std::string legend(int x, int y, std::uint64_t most) {
@@ -88,22 +102,20 @@ std::string svg(const HeatMap& map) {
   const int width = map.columns * map.cell_width;
   const int height = map.rows * map.cell_height;
   const int right = 16;
+  const int left = map.names_width;
+  const int bottom = kTop + height + map.names_height;
   std::string html = fmt::format(
       "<svg role='img' viewBox='0 0 {} {}' font-family='system-ui, sans-serif' font-size='15' fill='currentColor'>\n"
       "<title>{}</title>\n",
-      kLeft + width + right, kTop + height + kBelow, escape(map.title));
-  html += cells(map, most);
-  for (std::size_t i = 0; i < map.column_names.size(); ++i) {
-    html += text(kLeft + (static_cast<double>(i) + 0.5) * map.cell_width, kTop + height + 18, "middle",
-                 map.column_names[i]);
-  }
+      left + width + right, bottom + kBelow, escape(map.title));
+  html += cells(map, most) + column_names(map, kTop + height);
   for (std::size_t i = 0; i < map.row_names.size(); ++i) {
-    html += text(kLeft - 6, kTop + (static_cast<double>(i) + 0.5) * map.cell_height + 5, "end", map.row_names[i]);
+    html += text(left - 6, kTop + (static_cast<double>(i) + 0.5) * map.cell_height + 5, "end", map.row_names[i]);
   }
-  html += text(kLeft + 0.5 * width, kTop + height + 42, "middle", map.x_label);
+  html += text(left + 0.5 * width, bottom + 24, "middle", map.x_label);
   html += fmt::format("<g transform='rotate(-90 14 {0:.1f})'>\n{1}</g>\n", kTop + 0.5 * height,
                       text(14, kTop + 0.5 * height, "middle", map.y_label));
-  return html + legend(kLeft, kTop + height + 62, most) + "</svg>\n";
+  return html + legend(left, bottom + 44, most) + "</svg>\n";
 }
 
 }  // namespace feline::page

@@ -26,6 +26,8 @@ struct HeatMap {
   std::vector<std::string> row_names{};
   int cell_width = 28;  // of the view box; text is 15 high
   int cell_height = 22;
+  int names_width = 74;   // what the names of rows and their label take
+  int names_height = 18;  // what the names of columns take; above 18 they stand on end
 };
 
 // As an SVG element for a page: without network references, in the page's text colour. A count of 0 is a slate cell

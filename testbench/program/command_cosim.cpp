@@ -33,6 +33,7 @@ struct CosimOptions {
   std::string wave = "feline-mismatch.fst";
   const CLI::Option* wave_option = nullptr;
   bool no_wave = false;
+  bool vary = false;
   bool json = false;
   unsigned jobs = 0;
   std::string command_line;  // without --replay
@@ -72,8 +73,11 @@ PreparedJob scene_job(const CosimOptions& options, const std::shared_ptr<const S
   return prepared;
 }
 
+// Lookups of a unit that was made anew, its registers in another random state.
+constexpr std::uint64_t kPartLookups = 1000000;
+
 // Random lookups: one run of many batches, each under another sampler.
-PreparedJob random_job(const CosimOptions& options) {
+PreparedJob random_job(const CosimOptions& options, std::uint64_t lookups, std::uint64_t seed) {
   constexpr std::uint64_t kBatchLookups = 256;
   PreparedJob prepared;
   CosimJob& job = prepared.job;
@@ -82,13 +86,25 @@ PreparedJob random_job(const CosimOptions& options) {
   job.kernel = options.sampler.kernels_of_random();
   job.wrap = options.sampler.wraps_of_random();
   job.timing = options.timing;
-  job.command = options.command_line;
-  job.lookups = *options.random;
+  job.timing.seed = seed;
+  job.command = fmt::format("{} --random {} --seed {}", options.command_line, lookups, seed);
+  job.lookups = lookups;
   job.batch_lookups = kBatchLookups;
-  const auto batches = std::make_shared<RandomBatches>(options.timing.seed, kBatchLookups);
+  const auto batches = std::make_shared<RandomBatches>(seed, kBatchLookups);
+  if (options.vary) batches->vary_conditions();
   batches->set_choices(options.sampler.random_choices());
   job.batch = [batches, lookups = job.lookups](std::uint64_t number) { return batches->make(number, lookups); };
   return prepared;
+}
+
+std::vector<PreparedJob> random_jobs(const CosimOptions& options) {
+  std::vector<PreparedJob> jobs;
+  for (std::uint64_t first = 0; first < *options.random; first += kPartLookups) {
+    const std::uint64_t part = first / kPartLookups;
+    jobs.push_back(random_job(options, std::min(kPartLookups, *options.random - first),
+                              part == 0 ? options.timing.seed : derived_seed(options.timing.seed, part)));
+  }
+  return jobs;
 }
 
 std::string run_name(const CosimJob& job) {
@@ -137,8 +153,13 @@ std::vector<PreparedJob> prepare_jobs(const CosimOptions& options) {
   if (options.random) {
     if (!options.scenes.empty()) bad_input("command line", "--scene", options.scenes, "nothing together with --random");
     options.subject.check_random();
-    return {random_job(options)};
+    if (!options.replay.empty() && *options.random > kPartLookups) {
+      bad_input("command line", "--replay", options.replay,
+                fmt::format("with --random up to {}: the command that a mismatch prints", kPartLookups));
+    }
+    return random_jobs(options);
   }
+  if (options.vary) bad_input("command line", "--vary", "no --random", "only with --random");
   std::vector<PreparedJob> jobs;
   for (const std::string& name : chosen_scene_names(options.scenes)) {
     std::map<MipEdge, std::shared_ptr<const Subject>> subjects;
@@ -214,11 +235,11 @@ int run_cosim(const CosimOptions& options) {
 
 // The command line again, without what a replay chooses anew.
 std::string replayable(const std::vector<std::string>& arguments) {
-  constexpr std::array<std::string_view, 3> kAlways{"--replay", "--output", "--scene"};
+  constexpr std::array<std::string_view, 5> kOfRandom{"--replay", "--output", "--scene", "--random", "--seed"};
   constexpr std::array<std::string_view, 6> kOfScenes{"--replay", "--output", "--scene",
                                                       "--mode",   "--kernel", "--wrap"};
   const bool random = std::ranges::any_of(arguments, [](const auto& a) { return a.starts_with("--random"); });
-  return repeat_command(arguments, {random ? std::span<const std::string_view>(kAlways) : kOfScenes, {}});
+  return repeat_command(arguments, {random ? std::span<const std::string_view>(kOfRandom) : kOfScenes, {}});
 }
 
 }  // namespace
@@ -236,12 +257,19 @@ void add_cosim(CLI::App& program, int& exit_code, const std::vector<std::string>
   options->sampler.add_to(*command, true);
   command->add_option("--random", options->random, "so many random and directed lookups under random samplers instead")
       ->check(whole_number(1, std::uint64_t{1} << 40));
-  command->add_option("--memory-latency", options->timing.memory_latency, "cycles from a read to its data")
-      ->check(whole_number(1, 100000))
-      ->capture_default_str();
-  command->add_option("--stalls", options->timing.stalls, "chance of a stall at each port in each cycle")
-      ->check(number(0, 0.95))
-      ->capture_default_str();
+  CLI::Option* const latency =
+      command->add_option("--memory-latency", options->timing.memory_latency, "cycles from a read to its data")
+          ->check(whole_number(1, 100000))
+          ->capture_default_str();
+  CLI::Option* const stalls =
+      command->add_option("--stalls", options->timing.stalls, "chance of a stall at each port in each cycle")
+          ->check(number(0, 0.95))
+          ->capture_default_str();
+  command
+      ->add_flag("--vary", options->vary,
+                 "with --random: other stalls, memory latencies up to 1000 cycles and resets for every batch of 256")
+      ->excludes(latency)
+      ->excludes(stalls);
   command->add_option("--seed", options->timing.seed, "of stalls, power-up state and random lookups")
       ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
       ->capture_default_str();

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <type_traits>
 
 #include "testbench/atomic_file.h"
 #include "testbench/error.h"
@@ -22,6 +23,10 @@ CLI::Validator range(Value least, Value most) {
             Value value{};
             const char* const last = text.data() + text.size();
             const auto [end, error] = std::from_chars(text.data(), last, value);
+            // CLI11 would read 010 as 8.
+            if (std::is_integral_v<Value> && text.size() > 1 && text.front() == '0') {
+              return fmt::format("got {}, legal is {}, without leading zeros", text, legal);
+            }
             // Written so that NaN fails.
             const bool holds = error == std::errc{} && end == last && value >= least && value <= most;
             return holds ? std::string() : fmt::format("got {}, legal is {}", text, legal);

@@ -27,10 +27,17 @@ void add_shortcuts(CLI::App& program, int& exit_code);
 void add_savings(CLI::App& program, int& exit_code);
 void add_profile(CLI::App& program, int& exit_code);
 void add_budget(CLI::App& program, int& exit_code);
+void add_mutate(CLI::App& program, int& exit_code);
+void add_prove(CLI::App& program, int& exit_code);
 // `arguments` is the whole command line, from which further commands are made.
 void add_render(CLI::App& program, int& exit_code, const std::vector<std::string>& arguments);
 void add_activity(CLI::App& program, int& exit_code, const std::vector<std::string>& arguments);
 void add_prune(CLI::App& program, int& exit_code, const std::vector<std::string>& arguments);
 void add_cosim(CLI::App& program, int& exit_code, const std::vector<std::string>& arguments);
+
+// All of them.
+void add_commands(CLI::App& program, int& exit_code, const std::vector<std::string>& arguments);
+// Throws InputError for a command line that names no command of the program, or has an empty value.
+void check_arguments(const CLI::App& program, const std::vector<std::string>& arguments);
 
 }  // namespace feline

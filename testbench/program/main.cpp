@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -14,8 +12,6 @@
 #include <system_error>
 
 #include "testbench/atomic_file.h"
-#include "testbench/error.h"
-#include "testbench/program/command_line.h"
 #include "testbench/program/commands.h"
 
 namespace {
@@ -30,28 +26,8 @@ int run(const std::vector<std::string>& arguments, int argc, char** argv) {
       "Exit codes: 0 holds, 1 a mismatch or a broken bound, 2 bad use or bad input.\n"
       "Example: feline cosim --scene bricks --mode table --size 256");
   int exit_code = feline::kHolds;
-  feline::add_tables(program, exit_code);
-  feline::add_scene(program, exit_code);
-  feline::add_render(program, exit_code, arguments);
-  feline::add_explain(program, exit_code);
-  feline::add_vectors(program, exit_code);
-  feline::add_cosim(program, exit_code, arguments);
-  feline::add_report(program, exit_code);
-  feline::add_figure(program, exit_code);
-  feline::add_stability(program, exit_code);
-  feline::add_area(program, exit_code);
-  feline::add_activity(program, exit_code, arguments);
-  feline::add_shortcuts(program, exit_code);
-  feline::add_prune(program, exit_code, arguments);
-  feline::add_savings(program, exit_code);
-  feline::add_profile(program, exit_code);
-  feline::add_budget(program, exit_code);
-  std::vector<std::string> names;
-  for (const CLI::App* const command : program.get_subcommands(nullptr)) names.push_back(command->get_name());
-  if (argc > 1 && argv[1][0] != '-' && std::ranges::find(names, argv[1]) == names.end()) {
-    feline::bad_input("command line", "command", argv[1], fmt::format("one of {}", fmt::join(names, ", ")));
-  }
-  feline::refuse_empty(arguments);
+  feline::add_commands(program, exit_code, arguments);
+  feline::check_arguments(program, arguments);
   feline::remove_temporaries_when_killed();
   try {
     program.parse(argc, argv);

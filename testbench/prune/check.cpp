@@ -7,6 +7,7 @@
 
 #include "model/unit.h"
 #include "testbench/cosim/job.h"
+#include "testbench/json_input.h"
 #include "testbench/parallel.h"
 #include "testbench/prune/prune.h"
 
@@ -71,7 +72,7 @@ nlohmann::ordered_json to_json(const PrunedCheck& check) {
 
 PrunedCheck check_from_json(const nlohmann::ordered_json& json) {
   PrunedCheck check;
-  for (const auto& [name, count] : kCounts) json.at(name).get_to(check.*count);
+  for (const auto& [name, count] : kCounts) check.*count = whole_from_json<std::uint64_t>(json.at(name));
   json.at("message").get_to(check.message);
   return check;
 }

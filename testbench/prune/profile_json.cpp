@@ -15,6 +15,7 @@
 
 #include "testbench/error.h"
 #include "testbench/image.h"
+#include "testbench/json_input.h"
 
 namespace feline {
 namespace {
@@ -225,25 +226,6 @@ void check_total(const Node& node, const ReachFacts& of, std::uint64_t got, cons
               fmt::format("{}, as many as {}", want, of.each == Each::kLookup ? "lookups" : "probes"));
 }
 
-// Of what the file itself says twice, the parser would keep one.
-Json parse(std::string_view text, std::string_view where) {
-  std::vector<std::set<std::string>> open;
-  std::string twice;
-  const auto watch = [&](int, Json::parse_event_t event, const Json& parsed) {
-    if (event == Json::parse_event_t::object_start) open.emplace_back();
-    if (event == Json::parse_event_t::object_end) open.pop_back();
-    if (event == Json::parse_event_t::key && !open.back().insert(parsed.get<std::string>()).second) twice = parsed;
-    return true;
-  };
-  try {
-    Json json = Json::parse(text, watch);
-    if (!twice.empty()) bad_input(where, twice, "two values", "one");
-    return json;
-  } catch (const Json::exception& error) {
-    bad_input(where, "JSON", error.what(), "a file that feline profile wrote");
-  }
-}
-
 }  // namespace
 
 std::string profile_to_json(const Profile& profile) {
@@ -263,7 +245,7 @@ std::string profile_to_json(const Profile& profile) {
 }
 
 Profile profile_from_json(std::string_view text, std::string_view where) {
-  const Json json = parse(text, where);
+  const Json json = parse_json(text, where, "a file that feline profile wrote");
   const Node root(json, where);
   root.check_fields({"version", "configuration", "sources", "lookups", "probes", "reached", "textures"});
   root["version"].number(kVersion, kVersion);

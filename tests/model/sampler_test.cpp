@@ -80,8 +80,10 @@ TEST(sampler, refuses_what_the_machine_cannot_hold) {
                                       {"levels", [](auto&, auto& t) { t.levels.clear(); }},
                                       {"levels", [](auto&, auto& t) { t.levels.push_back(t.levels.back()); }},
                                       {"level 1", [](auto&, auto& t) { t.levels[1].width = 3; }},
+                                      {"level 1", [](auto&, auto& t) { t.levels[1].height = 3; }},
                                       {"level 2", [](auto&, auto& t) { t.levels[2].texels.pop_back(); }},
                                       {"size", [](auto&, auto& t) { t.levels[0].width = 0; }},
+                                      {"size", [](auto&, auto& t) { t.levels[0].height = 0; }},
                                       {"size", [](auto&, auto& t) { t.levels[0].height = 16385; }}};
   for (const Refusal& refusal : refusals) {
     Random random(1);
@@ -97,6 +99,16 @@ TEST(sampler, refuses_what_the_machine_cannot_hold) {
       EXPECT_FALSE(error.legal.empty());
       EXPECT_NE(std::string(error.what()).find(error.field), std::string::npos);
     }
+  }
+}
+
+// A texture that nobody has loaded is refused by its shape.
+TEST(sampler, refuses_a_shape_without_levels) {
+  try {
+    make_sampler<kDefaultConfig>({}, TextureShape{TexelFormat::kR8, false, 4, 4, 0, {}});
+    ADD_FAILURE() << "was not refused";
+  } catch (const SamplerError& error) {
+    EXPECT_EQ(error.field, "levels");
   }
 }
 

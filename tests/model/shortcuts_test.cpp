@@ -111,6 +111,16 @@ TEST(shortcuts, change_no_bit_without_features) {
   expect_same_for_random<kPlain>("shortcuts.plain", 10);
 }
 
+// A border's alpha is looked at as a texel's is.
+TEST(shortcuts, change_no_bit_without_alpha) {
+  constexpr Config kOpaqueUnit = [] {
+    Config config;
+    config.features.alpha = false;
+    return config;
+  }();
+  expect_same_for_random<kOpaqueUnit>("shortcuts.opaque_unit", 10);
+}
+
 // Cells, weights and alpha that are missing, and textures that are refused.
 TEST(shortcuts, change_no_bit_in_pruned_units) {
   expect_same_for_random<kSimpleUnit>("shortcuts.simple", 10);

@@ -56,7 +56,7 @@ feline_fault(plan weight_row_of_one_probe_less feline_choose_weight_row
 
 feline_fault(walk probes_run_the_other_way feline_probe_position
              "half_step_i * n_i" "half_step_i * n_i" "half_step_i * -n_i")
-feline_fault(walk column_one_low feline_walk
+feline_fault(walk column_one_low feline_probe_weight
              "(distance + StepWidth'(1)) >> 1" "(distance + StepWidth'(1))" "(distance)")
 
 feline_fault(walk plan_taken_with_its_first_probe feline_walk "beat_ready && last" "beat_ready && last" "beat_ready")

@@ -12,6 +12,7 @@
 #include "model/sampler.h"
 #include "tables/emit.h"
 #include "testbench/cosim/cosimulation.h"
+#include "testbench/coverage/ratchet.h"
 #include "tests/rtl/fault.h"
 #include "tests/testbench/run_program.h"
 #include "tests/testbench/temp_dir.h"
@@ -45,10 +46,27 @@ TEST(readme, commands) {
   for (std::sregex_iterator at(text.begin(), text.end(), command), end; at != end; ++at, ++commands) {
     EXPECT_EQ(run_program(FELINE_PROGRAM, (*at)[1].str() + " --help").code, 0) << (*at)[1];
   }
-  EXPECT_EQ(commands, 16);
+  EXPECT_EQ(commands, 18);
 }
 
 TEST(readme, faults) { expect_said(fmt::format("| {0} of {0} faults |", std::size(kFaults))); }
+
+// CI compares the ratchet with what is reached.
+TEST(readme, coverage) {
+  using namespace coverage;
+  const Ratchet ratchet = read_ratchet(kRoot / "testbench/coverage/ratchet.json");
+  const auto text = [&](Kind kind) {
+    const Figure& figure = ratchet.figures[static_cast<std::size_t>(kind)];
+    return fmt::format("{} of {}", figure.hit, figure.total);
+  };
+  std::uint64_t excluded = 0;
+  for (const Kind kind : {Kind::kRtlLine, Kind::kRtlBranch, Kind::kRtlToggle}) {
+    excluded += ratchet.figures[static_cast<std::size_t>(kind)].excluded;
+  }
+  expect_said(fmt::format("| {}, {}, {}, but for {} that nothing can reach", text(Kind::kRtlLine),
+                          text(Kind::kRtlBranch), text(Kind::kRtlToggle), excluded));
+  expect_said(fmt::format("| {}, {}; {} |", text(Kind::kModelLine), text(Kind::kModelBranch), text(Kind::kBin)));
+}
 
 TEST(readme, roms) {
   const Roms measured = measured_roms(kDefaultConfig);

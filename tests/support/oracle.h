@@ -8,7 +8,7 @@
 #include "model/memory.h"
 #include "model/sampler.h"
 #include "tables/sampler_state.h"
-#include "testbench/stability/real.h"
+#include "testbench/prove/exact_tables.h"
 
 // The third witness: every stage stated once more, exactly, from the contract comments and the papers. It shares with
 // the model the names of fields and formats, and no arithmetic: rationals of 128-bit integers here, tables by MPFR.
@@ -28,26 +28,6 @@ Wide floor_of(const Rational& x);
 Wide ceil_of(const Rational& x);
 Wide nearest_up(const Rational& x);    // ties towards plus infinity
 Wide nearest_away(const Rational& x);  // ties away from zero
-
-// Table contents, by MPFR at 200 bits.
-struct Tables {
-  std::array<std::array<std::array<long, 4>, 16>, 16> ellipse{};  // row, column: uvScale, uvScale90, minor, major
-  std::array<std::array<long, 9>, 77> weight{};                   // 61 Gaussian rows, 16 equal rows
-  std::array<std::array<double, 9>, 77> weight_real{};
-  std::array<long, 256> gaussian{};
-  std::array<long, 256> log2{};
-  std::array<long, 18> reciprocal{};
-  std::array<long, 256> srgb{};
-};
-const Tables& tables();
-
-// Feline 2.1 and 3.1 for the vectors (1, 0) and ratio * (cos angle, sin angle): uvScale, uvScale90, minor, major.
-std::array<Real, 4> ellipse(const Real& ratio, const Real& angle);
-// The same in double, for lattices of many points.
-std::array<double, 4> ellipse(double ratio, double angle);
-double cell_angle(int column, double within);  // the angle of column 0 .. 15, within = 0 .. 1 of its way
-int weight_uses(int probes, int column);       // how often a column is used: 0, 1 or 2
-int probes_of_row(int row);
 
 using State = SamplerState<kDefaultConfig>;
 using Request = RequestBeat<kDefaultConfig>;

@@ -2,9 +2,11 @@
 // Every word of every ROM against MPFR at 200 bits, and every stated error against one computed here.
 #include "tables/roms.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 
 #include "tables/config.h"
 #include "tables/formats.h"
@@ -163,6 +165,35 @@ TEST(roms, weight_rows_sum_to_one) {
     }
     EXPECT_EQ(sum, 256) << row;
   }
+}
+
+// How far the colour of a whole pixel is from that of weights that are not rounded, in codes of 255: the errors of a
+// row's weights sum to 0, so it is farthest where all probes whose weight is too large meet white and the others black.
+// The sum itself is exact and rounded once, to 1/256 of a code.
+TEST(roms, weight_error_in_the_colour_of_a_pixel) {
+  double worst = 0;
+  int worst_row = 0;
+  for (int row = 0; row < 77; ++row) {
+    const int probes = oracle::probes_of_row(row);
+    double too_large = 0;
+    for (int column = 0; column < 9; ++column) {
+      const auto at = static_cast<std::size_t>(column);
+      const auto word = static_cast<double>(machine().weight.words[static_cast<std::size_t>(9 * row) + at]);
+      const double error = word / 256 - oracle::tables().weight_real[static_cast<std::size_t>(row)][at];
+      if (error > 0) too_large += oracle::weight_uses(probes, column) * error;
+    }
+    if (too_large > worst) {
+      worst = too_large;
+      worst_row = row;
+    }
+  }
+  worst = 255 * worst + 1.0 / 512;
+  const int probes = oracle::probes_of_row(worst_row);
+  const std::string row = worst_row < 61 ? fmt::format("fProbes = {}", (worst_row + 4) / 4.0) : "equal weights";
+  const std::string claim = fmt::format("within {:.2f} codes ({} probes, {})", worst, probes, row);
+  std::ifstream readme(FELINE_SOURCE_DIR "/README.md");
+  const std::string text{std::istreambuf_iterator<char>(readme), {}};
+  EXPECT_NE(text.find(claim), std::string::npos) << claim;
 }
 
 // The least worst error that whole weights of sum 256 can have, by trying all of floor - 1 .. floor + 2.

@@ -15,6 +15,9 @@ TEST(command_line, validators_name_what_is_legal) {
   for (const char* const wrong : {"17", "0", "-1", "1.5", "1x", "", " 1", "99999999999999999999"}) {
     EXPECT_EQ(message(whole_number(1, 16), wrong), std::string("got ") + wrong + ", legal is 1 to 16");
   }
+  // CLI11 would take it for 14.
+  EXPECT_EQ(message(whole_number(1, 16), "016"), "got 016, legal is 1 to 16, without leading zeros");
+  EXPECT_EQ(message(whole_number(0, 16), "0"), "");
   EXPECT_EQ(message(number(-16, 15.5), "-1e-3"), "");
   for (const char* const wrong : {"15.6", "nan", "inf", "1,5", "abc", ""}) {
     EXPECT_EQ(message(number(-16, 15.5), wrong), std::string("got ") + wrong + ", legal is -16 to 15.5");

@@ -2,6 +2,9 @@
 // RTL against model through the bench: every scene and choice in small pictures, and every kind of texture.
 #include <gtest/gtest.h>
 
+#include <bit>
+
+#include "testbench/cosim/close_batches.h"
 #include "testbench/cosim/job.h"
 #include "testbench/cosim/random_batches.h"
 #include "testbench/random.h"
@@ -116,18 +119,67 @@ TEST(cosim, parameter_sets_bias_and_level_limits) {
   }
 }
 
-TEST(cosim, random_lookups) {
-  RandomBatches batches(1, 256);
+CosimResult run_random(RandomBatches batches, const Timing& timing) {
   constexpr std::uint64_t kLookups = 20000;
   CosimJob job;
-  job.timing = {3, 0.3, 1};
+  job.timing = timing;
   job.command = "feline cosim";
   job.lookups = kLookups;
   job.batch_lookups = 256;
   job.batch = [&](std::uint64_t number) { return batches.make(number, kLookups); };
-  const CosimResult result = run_job(job, make_fast_unit, {}, std::nullopt, false, nullptr);
+  CosimResult result = run_job(job, make_fast_unit, {}, std::nullopt, false, nullptr);
   EXPECT_EQ(result.mismatches, 0U) << result.message;
   EXPECT_EQ(result.lookups, kLookups);
+  return result;
+}
+
+TEST(cosim, random_lookups) { EXPECT_EQ(run_random({1, 256}, {3, 0.3, 1}).resets, 0U); }
+
+TEST(cosim, random_lookups_under_conditions_that_vary) {
+  RandomBatches batches(1, 256);
+  batches.vary_conditions();
+  EXPECT_GT(run_random(std::move(batches), {3, 0, 1}).resets, 20U);
+}
+
+TEST(cosim, sums_that_all_but_round_the_other_way) {
+  constexpr std::uint64_t kLookups = 64;
+  const CloseBatches batches(1, kLookups);
+  Cosimulation simulation(make_fast_unit, {5, 0, 1});
+  std::uint64_t close = 0;
+  for (std::size_t i = 0; i < batches.size(); ++i) {
+    for (std::size_t channel = 0; channel < 4; ++channel) close += std::abs(batches.distance(i, channel)) < 64 ? 1U : 0;
+    ASSERT_TRUE(simulation.run(batches[i])) << i;
+  }
+  // Of the rest no four texels have a step that is fine enough.
+  EXPECT_GT(close, 2 * kLookups);
+}
+
+TEST(cosim, two_batches_share_a_texture_and_follow_at_once) {
+  RandomBatches batches(5, 16);
+  const Batch first = batches.make(0, 1000);
+  const auto lines = first.memory->lines();
+  EXPECT_TRUE(first.same_texture_follows);
+  const Batch second = batches.make(1, 1000);
+  EXPECT_FALSE(second.same_texture_follows);
+  EXPECT_EQ(second.memory->lines(), lines);
+  // By itself it is the same.
+  RandomBatches others(5, 16);
+  const Batch again = others.make(1, 1000);
+  ASSERT_EQ(again.lookups.size(), 16U);
+  EXPECT_EQ(again.memory->lines(), lines);
+  EXPECT_EQ(std::bit_cast<std::uint32_t>(again.lookups[7].dsdx), std::bit_cast<std::uint32_t>(second.lookups[7].dsdx));
+}
+
+// Beats leave every stage in the cycles that they left it in when this was recorded: a change of the RTL that moves one
+// shows here, and is recorded anew when it is meant.
+TEST(cosim, every_stage_keeps_its_pace) {
+  const Case subject = scene_case(find_scene("window"), 24, 16);
+  SamplerOptions options;
+  options.mode = Mode::kTable;
+  Cosimulation simulation(make_fast_unit, {3, 0.2, 1});
+  ASSERT_TRUE(simulation.run(
+      {make_sampler<kUnit>(options, subject.texture, subject.memory), &subject.memory, subject.lookups}));
+  EXPECT_EQ(simulation.pace(), 7822319615301280614U) << simulation.cycles();
 }
 
 TEST(cosim, timing_changes_no_pixel) {

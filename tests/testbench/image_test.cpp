@@ -113,26 +113,40 @@ TEST(image, tx_brings_its_own_levels) {
   }
 }
 
+// A tiled file of one channel with levels of these sides, of which the first is the spec's.
+void write_levels(const std::string& path, OIIO::ImageSpec spec, std::initializer_list<int> sides,
+                  OIIO::ImageOutput::OpenMode append) {
+  spec.attribute("textureformat", "Plain Texture");
+  const auto output = OIIO::ImageOutput::create(path);
+  auto mode = OIIO::ImageOutput::Create;
+  for (const int side : sides) {
+    spec.width = spec.height = spec.full_width = spec.full_height = side;
+    ASSERT_TRUE(output->open(path, spec, mode)) << output->geterror();
+    ASSERT_TRUE(output->write_image(OIIO::TypeDesc::UINT8, ramp(25).data()));
+    mode = append;
+  }
+  ASSERT_TRUE(output->close());
+}
+
 // OpenEXR may round sizes up.
 TEST(image, levels_of_other_sizes) {
   const TempDir dir;
   const std::string path = (dir / "up.exr").string();
   OIIO::ImageSpec spec(5, 5, 1, OIIO::TypeDesc::HALF);
   spec.tile_width = spec.tile_height = 8;
-  spec.attribute("textureformat", "Plain Texture");
   spec.attribute("openexr:levelmode", 1);
   spec.attribute("openexr:roundingmode", 1);
-  auto output = OIIO::ImageOutput::create("exr");
-  auto mode = OIIO::ImageOutput::Create;
-  for (const int size : {5, 3, 2, 1}) {
-    spec.width = spec.height = spec.full_width = spec.full_height = size;
-    ASSERT_TRUE(output->open(path, spec, mode)) << output->geterror();
-    ASSERT_TRUE(output->write_image(OIIO::TypeDesc::UINT8, ramp(25).data()));
-    mode = OIIO::ImageOutput::AppendMIPLevel;
-  }
-  ASSERT_TRUE(output->close());
-  output.reset();
+  write_levels(path, spec, {5, 3, 2, 1}, OIIO::ImageOutput::AppendMIPLevel);
   EXPECT_EQ(input_error([&] { load_texture(path); }), path + ": level 1: got 3 x 3, legal is 2 x 2");
+}
+
+TEST(image, levels_after_the_last) {
+  const TempDir dir;
+  const std::string path = (dir / "long.tif").string();
+  OIIO::ImageSpec spec(2, 2, 1, OIIO::TypeDesc::UINT8);
+  spec.tile_width = spec.tile_height = 16;
+  write_levels(path, spec, {2, 1, 1}, OIIO::ImageOutput::AppendSubimage);
+  EXPECT_EQ(input_error([&] { load_texture(path); }), path + ": level 2: got 1 x 1, legal is no level after 1 x 1");
 }
 
 TEST(image, size_limits) {

@@ -57,6 +57,12 @@ TEST(area, refuses_what_is_no_text_of_yosys) {
                std::runtime_error);
   EXPECT_DOUBLE_EQ(cell_area(kLibrary, "INVX1"), 12);
   EXPECT_THROW(cell_area(kLibrary, "NAND3X1"), std::runtime_error);
+  EXPECT_THROW(cell_area("cell (NAND2X1) {} cell (INVX1) { area : 12; }", "NAND2X1"), std::runtime_error);
+  EXPECT_THROW(cell_area("cell (NAND2X1) { area : 1e999; }", "NAND2X1"), std::runtime_error);
+  for (const char* const count : {"-1", "1e300", "1.5", "9223372036854775807", "\"1\""}) {
+    const std::string cells = R"({"modules": {"\\feline_unit": {"num_cells_by_type": {"INVX1": )";
+    EXPECT_THROW(parse_area(kWords, cells + count + "}}}}", kLibrary), std::runtime_error) << count;
+  }
 }
 
 std::string full_unit() {

@@ -73,5 +73,14 @@ TEST(measure_errors, shimmer_is_a_change_of_the_error) {
   EXPECT_DOUBLE_EQ(temporal_mean_square(bright, bright, full, bright, 4), 0.0625);
 }
 
+TEST(measure_errors, as_json) {
+  const Errors errors{0.25, 0.5, 3, 4};
+  EXPECT_EQ(to_json(errors_from_json(to_json(errors))), to_json(errors));
+  // Larger than the number that it would become.
+  nlohmann::ordered_json other = to_json(errors);
+  other["worst_row"] = 1e300;
+  EXPECT_THROW(errors_from_json(other), std::exception);
+}
+
 }  // namespace
 }  // namespace feline

@@ -5,6 +5,7 @@
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <numbers>
 
 #include "testbench/measure/truth_store.h"
@@ -236,6 +237,14 @@ TEST(measure_truth, is_stored) {
     EXPECT_THROW(truth_from_bytes(std::string_view(bytes).substr(0, size)), std::runtime_error) << size;
   }
   EXPECT_THROW(truth_from_bytes(bytes + "x"), std::runtime_error);
+  // Sides whose product takes as many bytes as there are, modulo 2^64, or that are no sides at all.
+  for (const auto& [width, height] : {std::pair{std::int64_t{1} << 60, std::int64_t{16}}, {-5, -3}, {0, 7}, {7, 0}}) {
+    std::string changed = bytes;
+    if (width >= 0) changed.resize(bytes.size() - std::size_t{2} * 5 * 3 * 4 * sizeof(float));
+    std::memcpy(changed.data(), &width, sizeof width);
+    std::memcpy(changed.data() + sizeof width, &height, sizeof height);
+    EXPECT_THROW(truth_from_bytes(changed), std::runtime_error) << width;
+  }
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "testbench/prove/exact_tables.h"
+
 #include <algorithm>
 #include <cmath>
-
-#include "tests/support/oracle.h"
+#include <vector>
 
 namespace feline::oracle {
 namespace {

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "testbench/mutation/fate.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+#include <span>
+#include <sstream>
+#include <stdexcept>
+
+#include "testbench/area/yosys.h"
+#include "testbench/atomic_file.h"
+#include "testbench/mutation/aiger.h"
+#include "testbench/page/process.h"
+#include "testbench/parallel.h"
+
+namespace feline::mutation {
+namespace {
+
+std::string codes_of(std::span<Fate* const> fates) {
+  std::string codes;
+  for (const Fate* const fate : fates) codes += fmt::format("{}\n", code(fate->mutant));
+  return codes;
+}
+
+void tell_fates(std::span<Fate* const> fates, const std::string& lines) {
+  std::map<std::uint64_t, nlohmann::json> by_code;
+  std::istringstream in(lines);
+  for (std::string line; std::getline(in, line);) {
+    nlohmann::json json = nlohmann::json::parse(line);
+    const std::uint64_t code = json["code"];
+    by_code.emplace(code, std::move(json));
+  }
+  for (Fate* const fate : fates) {
+    const auto found = by_code.find(code(fate->mutant));
+    if (found == by_code.end()) throw std::runtime_error("feline_mutated: says nothing of a mutant");
+    const nlohmann::json& line = found->second;
+    if (!line.contains("tier")) continue;
+    fate->tier = line["tier"];
+    fate->stage = line["stage"];
+    fate->lookup = line["lookup"];
+    fate->cycles = line["cycles"];
+    fate->milliseconds = line["milliseconds"];
+  }
+}
+
+// Whether abc says `yes`; it looks at its own limit of time in places only.
+bool abc_says(std::string_view yes, const std::string& commands) {
+  constexpr int kPatience = 20;  // seconds
+  const std::vector<std::string> command{"timeout", std::to_string(kPatience), "yosys-abc", "-q", commands};
+  return page::run_process(command, "").output.find(yes) != std::string::npos;
+}
+
+bool same_logic(const Aiger& right, const Aiger& wrong) {
+  const std::filesystem::path work = std::filesystem::temp_directory_path();
+  const AtomicFile right_file(work / "feline-right.aig");
+  const AtomicFile wrong_file(work / "feline-mutant.aig");
+  write_text(right_file.temporary(), to_binary(cut_latches(right)));
+  write_text(wrong_file.temporary(), to_binary(cut_latches(wrong)));
+  return abc_says("Networks are equivalent",
+                  fmt::format("&r {}; &cec {}", right_file.temporary().string(), wrong_file.temporary().string()));
+}
+
+bool unobserved(const Aiger& right, const Aiger& wrong) {
+  const AtomicFile file(std::filesystem::temp_directory_path() / "feline-difference.aig");
+  write_text(file.temporary(), to_binary(observed_difference(right, wrong)));
+  return abc_says("Property proved",
+                  fmt::format("read_aiger {}; strash; scleanup; scorr; pdr", file.temporary().string()));
+}
+
+}  // namespace
+
+std::string run_program(const std::vector<std::string>& command, const std::string& input) {
+  const page::Finished finished = page::run_process(command, input);
+  if (finished.code != 0) {
+    throw std::runtime_error(
+        fmt::format("{}: exit code {}\n{}{}", command.front(), finished.code, finished.output, finished.errors));
+  }
+  return finished.output;
+}
+
+std::string trials_hash(const std::filesystem::path& source) {
+  std::set<std::filesystem::path> files;
+  for (const char* const room :
+       {"rtl", "model", "tables", "tables/generated", "testbench", "testbench/cosim", "testbench/mutation",
+        "testbench/mutation/rules", "testbench/prove", "tests/model", "tests/support"}) {
+    for (const auto& entry : std::filesystem::directory_iterator(source / room)) {
+      // survivors.json is no part of a trial.
+      if (entry.is_regular_file() && entry.path().extension() != ".json") files.insert(entry.path());
+    }
+  }
+  std::string all;
+  for (const std::filesystem::path& file : files) all += content_hash(file);
+  return all;
+}
+
+void try_mutants(const StageMutants& stage, const std::vector<std::string>& tiers, const Workshop& workshop,
+                 std::vector<Fate>& fates) {
+  constexpr std::size_t kTogether = 500;  // every run tries the unit without a mutant first
+  const std::string program = (workshop.directory / "build" / ("feline_mutated_" + stage.stage())).string();
+  std::vector<std::string> command{program};
+  command.insert(command.end(), tiers.begin(), tiers.end());
+  std::vector<Fate*> open;
+  for (Fate& fate : fates) {
+    if (fate.tier.empty() && !fate.proved()) open.push_back(&fate);
+  }
+  Progress progress(fmt::format("{}: {}", stage.stage(), fmt::join(tiers, ", ")), open.size());
+  progress.show();
+  bool built = false;
+  for (std::size_t first = 0; first < open.size(); first += kTogether) {
+    const auto part = std::span(open).subspan(first, std::min(kTogether, open.size() - first));
+    const std::string codes = codes_of(part);
+    const std::string key =
+        workshop.cache.key({"mutants", workshop.trials, stage.text(), fmt::format("{}", fmt::join(tiers, ",")), codes});
+    std::optional<std::string> lines = workshop.cache.read(key);
+    if (!lines) {
+      const auto script = workshop.source / "testbench" / "mutation" / "build.sh";
+      if (!built) run_program({script.string(), workshop.directory.string(), stage.stage()});
+      built = true;
+      lines = run_program(command, codes);
+      workshop.cache.write(key, *lines);
+    }
+    tell_fates(part, *lines);
+    progress.advance(part.size());
+  }
+}
+
+void compare_logic(const StageMutants& stage, Fate::Logic wanted, const Workshop& workshop, std::vector<Fate>& fates) {
+  std::vector<Fate*> open;
+  std::vector<Mutant> mutants;
+  for (Fate& fate : fates) {
+    if (!fate.tier.empty() || fate.proved() || fate.mutant.kind == Kind::kRomBit) continue;
+    open.push_back(&fate);
+    mutants.push_back(fate.mutant);
+  }
+  if (open.empty()) return;
+  const bool same = wanted == Fate::Logic::kSame;
+  const std::string key =
+      workshop.cache.key({same ? "same logic" : "unobserved", workshop.trials, stage.text(), codes_of(open)});
+  std::string known = workshop.cache.read(key).value_or("");
+  if (known.size() != open.size()) {
+    const Aiger logic = read_aiger(stage.logic(mutants));
+    const Aiger right = with_input(logic, "mutant", 0);
+    Progress progress(fmt::format("{}: {}", stage.stage(), same ? "the same logic" : "a difference nobody sees"),
+                      open.size());
+    known.assign(open.size(), '0');
+    for_each_index(0, static_cast<std::int64_t>(open.size()), [&](std::int64_t i) {
+      const auto place = static_cast<std::size_t>(i);
+      const Aiger wrong = with_input(logic, "mutant", code(mutants[place]));
+      if (same ? same_logic(right, wrong) : unobserved(right, wrong)) known[place] = '1';
+      progress.advance(1);
+    });
+    workshop.cache.write(key, known);
+  }
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    if (known[i] == '1') open[i]->logic = wanted;
+  }
+}
+
+}  // namespace feline::mutation

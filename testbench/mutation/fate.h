@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "testbench/measure/cache.h"
+#include "testbench/mutation/stage_mutants.h"
+#include "testbench/progress.h"
+
+namespace feline::mutation {
+
+// What became of a mutant.
+struct Fate {
+  Mutant mutant{};
+  std::string name{};   // what it is, in words
+  std::string tier{};   // that killed it; empty for a survivor
+  std::string stage{};  // that the mismatch named; "pace" when no beat was wrong
+  std::uint64_t lookup = 0;
+  std::uint64_t cycles = 0;
+  double milliseconds = 0;
+  // Of a survivor: its logic, with all registers and memories cut open, is that of the stage; or nobody who keeps to
+  // the streams' rules sees a difference (observed_difference).
+  enum class Logic : std::uint8_t { kUnknown, kSame, kUnobserved } logic = Logic::kUnknown;
+  bool proved() const { return logic != Logic::kUnknown; }
+};
+
+// What a program writes, given `input`. Throws std::runtime_error when it fails.
+std::string run_program(const std::vector<std::string>& command, const std::string& input = "");
+
+// Where mutants are built, and what is known from before.
+struct Workshop {
+  std::filesystem::path source;     // of the project
+  std::filesystem::path directory;  // of all stages
+  const Cache& cache;
+  std::string trials;  // a hash of what mutants are tried with, which is not in this program
+};
+
+// Of the sources that the programs of mutants are built from, and the rules.
+std::string trials_hash(const std::filesystem::path& source);
+
+// Tries those that no tier has killed and that are not proved the same on these tiers (trial.h), after building the
+// stage with its mutants. What is in the cache is not tried again. Throws InputError or std::runtime_error when that is
+// not possible.
+void try_mutants(const StageMutants& stage, const std::vector<std::string>& tiers, const Workshop& workshop,
+                 std::vector<Fate>& fates);
+
+// Proves by SAT what it can of those that no tier has killed: that all their logic is the stage's (abc &cec), or that
+// nobody sees a difference (abc pdr). Bits of ROMs stay unknown: they differ.
+void compare_logic(const StageMutants& stage, Fate::Logic wanted, const Workshop& workshop, std::vector<Fate>& fates);
+
+}  // namespace feline::mutation

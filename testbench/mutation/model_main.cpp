@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+// feline_mutated_model: tries every mutant of the model. Built by testbench/mutation/build.sh from the sources that
+// `feline mutate --model` made. Given are the first site and one beyond the last. Each mutant is tried in a process of
+// its own, as it may crash or not end; of each a line of JSON on standard output, in any order.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <thread>
+
+#include "testbench/mutation/model_site.h"
+#include "testbench/prove/leaf.h"
+#include "testbench/random.h"
+
+namespace {
+
+using namespace feline;
+
+enum Tier : int { kSmoke, kLeaves, kUnit, kTests, kSurvived };
+constexpr std::array kTierNames{"smoke", "leaves", "unit", "tests"};
+// Whole lookups against exact arithmetic, which is soon done; all but the million draws of each invariant, which take
+// longest and find no more.
+constexpr const char* kUnitTests = "unit.*:fetch.*:filter.*:accumulate.*:sampler.*";
+constexpr const char* kAllTests = "-*_long.*:invariants.*";
+constexpr unsigned kPatience = 120;  // seconds
+
+// What a process that tries a mutant leaves behind.
+struct Trace {
+  int tier = kSmoke;  // the one that it is in
+  char name[64]{};    // of the leaf
+};
+
+// Inputs of a leaf and what exact arithmetic makes of them.
+struct Judged {
+  const prove::Leaf* leaf;
+  std::vector<std::uint64_t> inputs, outputs;
+  std::size_t count = 0;
+};
+
+std::vector<Judged> judge_leaves(std::uint64_t count, std::uint64_t seed) {
+  std::vector<Judged> all;
+  SplitMix64 random(seed);
+  for (const prove::Leaf& leaf : prove::all_leaves()) {
+    Judged judged{&leaf, {}, {}, static_cast<std::size_t>(std::min(count, leaf.domain.count))};
+    judged.inputs.resize(judged.count * leaf.input_words);
+    judged.outputs.resize(judged.count * leaf.output_words);
+    for (std::size_t i = 0; i < judged.count; ++i) {
+      // The whole of a small domain; of others its ends, and any.
+      const bool whole = judged.count == leaf.domain.count;
+      const std::uint64_t last = leaf.domain.count - 1;
+      const std::uint64_t input = whole || i < judged.count / 8 ? i
+                                  : i < judged.count / 4        ? last - (i - judged.count / 8)
+                                                                : random.next() % leaf.domain.count;
+      leaf.domain.fill(input, 1, judged.inputs.data() + i * leaf.input_words);
+    }
+    leaf.exact(judged.inputs.data(), judged.outputs.data(), judged.count);
+    all.push_back(std::move(judged));
+  }
+  return all;
+}
+
+bool holds(const std::vector<Judged>& all, Trace& trace) {
+  for (const Judged& judged : all) {
+    std::snprintf(trace.name, sizeof trace.name, "%s", judged.leaf->name.c_str());
+    std::vector<std::uint64_t> got(judged.outputs.size());
+    judged.leaf->model(judged.inputs.data(), got.data(), judged.count);
+    if (got != judged.outputs) return false;
+  }
+  return true;
+}
+
+struct Trials {
+  std::vector<Judged> smoke = judge_leaves(1U << 11, 1);
+  std::vector<Judged> leaves = judge_leaves(1U << 17, 2);
+};
+
+// In the child: 0 for a survivor.
+int try_mutant(const Trials& trials, Trace& trace) {
+  trace.tier = kSmoke;
+  if (!holds(trials.smoke, trace)) return 1;
+  trace.tier = kLeaves;
+  if (!holds(trials.leaves, trace)) return 1;
+  std::strcpy(trace.name, "");
+  for (const auto& [tier, filter] : {std::pair{kUnit, kUnitTests}, {kTests, kAllTests}}) {
+    trace.tier = tier;
+    testing::GTEST_FLAG(filter) = filter;
+    if (RUN_ALL_TESTS() != 0) return 1;
+  }
+  trace.tier = kSurvived;
+  return 0;
+}
+
+template <typename T>
+T* shared(std::size_t count) {
+  void* const memory = mmap(nullptr, count * sizeof(T), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) throw std::runtime_error("no memory to share with other processes");
+  return static_cast<T*>(memory);
+}
+
+pid_t start(const Trials& trials, std::uint32_t mutant, Trace& trace) {
+  trace = {};
+  std::fflush(nullptr);
+  const pid_t child = fork();
+  if (child < 0) throw std::runtime_error("no process more");
+  if (child > 0) return child;
+  mutation::current_model_mutant = mutant;
+  alarm(kPatience);
+  if (std::freopen("/dev/null", "w", stdout) == nullptr || std::freopen("/dev/null", "w", stderr) == nullptr) _exit(3);
+  int code = 1;
+  try {
+    code = try_mutant(trials, trace);
+  } catch (...) {
+    code = 1;
+  }
+  _exit(code);
+}
+
+std::string_view way(int status) {
+  if (!WIFSIGNALED(status)) return "mismatch";
+  return WTERMSIG(status) == SIGALRM ? "no end" : "crash";
+}
+
+class Campaign {
+ public:
+  explicit Campaign(const Trials& trials) : trials_(trials), traces_(shared<Trace>(workers())) {
+    for (std::size_t i = 0; i < workers(); ++i) free_.push_back(i);
+  }
+
+  void run(const std::vector<std::uint32_t>& mutants) {
+    for (const std::uint32_t mutant : mutants) {
+      if (free_.empty()) finish_one();
+      const std::size_t place = free_.back();
+      free_.pop_back();
+      running_[start(trials_, mutant, traces_[place])] = {mutant, place, std::chrono::steady_clock::now()};
+    }
+    while (!running_.empty()) finish_one();
+  }
+
+ private:
+  struct Running {
+    std::uint32_t mutant = 0;
+    std::size_t place = 0;
+    std::chrono::steady_clock::time_point start;
+  };
+
+  static std::size_t workers() { return std::max(1U, std::thread::hardware_concurrency()); }
+
+  void finish_one() {
+    int status = 0;
+    const pid_t child = wait(&status);
+    const Running done = running_.at(child);
+    running_.erase(child);
+    free_.push_back(done.place);
+    const Trace& trace = traces_[done.place];
+    nlohmann::ordered_json line{{"code", done.mutant}};
+    if (status != 0) {
+      line["tier"] = kTierNames[static_cast<std::size_t>(trace.tier)];
+      line["way"] = way(status);
+      line["leaf"] = trace.name;
+      const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - done.start;
+      line["milliseconds"] = time.count();
+    }
+    fmt::print("{}\n", line.dump());
+    std::fflush(stdout);
+  }
+
+  const Trials& trials_;
+  Trace* traces_;
+  std::vector<std::size_t> free_;
+  std::map<pid_t, Running> running_;
+};
+
+// Mutants of the sites first .. end - 1.
+int run(std::uint32_t first, std::uint32_t end) {
+  const Trials trials;
+  mutation::reached_alternatives = shared<std::uint8_t>(mutation::kMostModelSites);
+  Trace& trace = *shared<Trace>(1);
+  int status = 0;
+  waitpid(start(trials, mutation::kNoModelMutant, trace), &status, 0);
+  if (status != 0) {
+    throw std::runtime_error(fmt::format("the model without a mutant fails: {} {}, {}",
+                                         kTierNames[static_cast<std::size_t>(trace.tier)], trace.name, way(status)));
+  }
+  std::vector<std::uint32_t> mutants;
+  for (std::uint32_t code = first * mutation::kAlternatives; code < end * mutation::kAlternatives; ++code) {
+    const unsigned asked = mutation::reached_alternatives[code / mutation::kAlternatives];
+    if ((asked >> code % mutation::kAlternatives & 1U) != 0) mutants.push_back(code);
+  }
+  mutation::reached_alternatives = nullptr;
+  Campaign(trials).run(mutants);
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  testing::GTEST_FLAG(fail_fast) = true;
+  try {
+    if (argc != 3) throw std::runtime_error("usage: feline_mutated_model FIRST_SITE END_SITE");
+    return run(static_cast<std::uint32_t>(std::stoul(argv[1])), static_cast<std::uint32_t>(std::stoul(argv[2])));
+  } catch (const std::exception& error) {
+    std::fputs((std::string(error.what()) + "\n").c_str(), stderr);
+    return 2;
+  }
+}

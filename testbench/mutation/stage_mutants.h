@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "testbench/mutation/mutant.h"
+
+namespace feline::mutation {
+
+// The name of what is between the stages.
+inline constexpr std::string_view kUnitName = "unit";
+
+// The sources of the project that mutants are made of. Throws InputError naming `--source`.
+void check_sources(const std::filesystem::path& source);
+
+// One stage and its mutants, or what is between the stages, "unit"; prepared in `directory`: the stage with a site at
+// every port as feline_STAGE.v, which testbench/mutation/build.sh builds into the unit, and its ROMs with any bit
+// wrong.
+class StageMutants {
+ public:
+  // Runs Yosys. Throws InputError when it is not there.
+  StageMutants(std::string stage, const std::filesystem::path& source, const std::filesystem::path& directory);
+
+  const std::string& stage() const { return stage_; }
+  const std::vector<Site>& sites() const { return sites_; }
+  const std::vector<Rom>& roms() const { return roms_; }
+  // What a result follows from.
+  const std::string& text() const { return text_; }
+
+  // "$add at rtl/feline_walk.sv:53.19-53.60, port B, bit 2 of 10: invert", "ROM weight, word 17, bit 3".
+  std::string describe(const Mutant& mutant) const;
+
+  // The stage's combinational logic, registers and memories cut open, as binary AIGER with the mutant as inputs
+  // mutant[0] to mutant[63]; sites other than those of `mutants` left out. With rules/feline_rules_STAGE.sv, if there
+  // is one: legal_o says that what comes in is what can come. Not of the unit. Throws std::runtime_error.
+  std::string logic(const std::vector<Mutant>& mutants) const;
+
+ private:
+  void write_roms(const std::vector<std::string>& names);
+  std::string rom_file(const std::string& name) const;
+
+  std::string stage_;
+  std::filesystem::path source_, directory_;
+  nlohmann::ordered_json netlist_;
+  std::vector<Site> sites_;
+  std::vector<Rom> roms_;
+  std::string text_;
+};
+
+}  // namespace feline::mutation

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <limits>
+#include <memory>
+
+#include "tables/stages.h"
+#include "testbench/atomic_file.h"
+#include "testbench/mutation/model_mutants.h"
+#include "testbench/mutation/mutation_report.h"
+#include "testbench/program/command_line.h"
+#include "testbench/program/commands.h"
+
+namespace feline {
+namespace {
+
+struct MutateOptions {
+  std::string stages = "all";
+  std::size_t count = 2000;
+  bool roms = false;
+  bool model = false;
+  std::uint64_t seed = 1;
+  std::string known;
+  std::string source = FELINE_SOURCE_DIR;
+  std::string output = "feline-mutants";
+  bool json = false;
+};
+
+std::vector<std::string_view> stage_names() {
+  std::vector<std::string_view> names(kStageNames.begin(), kStageNames.end());
+  names.push_back(mutation::kUnitName);
+  return names;
+}
+
+std::vector<std::string> chosen_stages(const std::string& text) {
+  const std::vector<std::string_view> names = stage_names();
+  if (text == "all") return {names.begin(), names.end()};
+  std::vector<std::string> chosen = split_list("--stage", text);
+  for (const std::string& name : chosen) parse_name("--stage", name, names);
+  return chosen;
+}
+
+mutation::StageResult run_stage(const std::string& name, const MutateOptions& options,
+                                const mutation::Workshop& workshop, const mutation::KnownSurvivors& known) {
+  std::filesystem::create_directories(workshop.directory / name);
+  const mutation::StageMutants stage(name, workshop.source, workshop.directory / name);
+  std::vector<mutation::Fate> fates;
+  const auto mutants = options.roms ? mutation::rom_mutants(stage.roms())
+                                    : mutation::draw_mutants(stage.sites(), options.count, options.seed);
+  for (const mutation::Mutant& mutant : mutants) fates.push_back({mutant, stage.describe(mutant)});
+  const auto prove = [&](mutation::Fate::Logic wanted) {
+    if (name != mutation::kUnitName) compare_logic(stage, wanted, workshop, fates);
+  };
+  // What takes least time comes first.
+  try_mutants(stage, {"smoke"}, workshop, fates);
+  prove(mutation::Fate::Logic::kSame);
+  try_mutants(stage, {"close", "pace", "suite"}, workshop, fates);
+  prove(mutation::Fate::Logic::kUnobserved);
+  try_mutants(stage, {"long"}, workshop, fates);
+  return judge(name, stage.sites().size(), std::move(fates), known);
+}
+
+int run_mutate(const MutateOptions& options) {
+  const std::vector<std::string> stages = chosen_stages(options.stages);
+  mutation::check_sources(options.source);
+  const std::filesystem::path directory = std::filesystem::absolute(options.output);
+  const std::filesystem::path own = std::filesystem::path(options.source) / "testbench/mutation/survivors.json";
+  const mutation::KnownSurvivors known =
+      mutation::read_known_survivors(options.known.empty() ? own : std::filesystem::path(options.known));
+  prepare_directory(options.output, {"mutation.json", "mutation.md"});
+  const Cache cache(directory / "cache");
+  const mutation::Workshop workshop{options.source, directory, cache, mutation::trials_hash(options.source)};
+  std::vector<mutation::StageResult> results;
+  if (options.model) {
+    for (mutation::FileFates& file : try_model(workshop)) {
+      results.push_back(judge(file.file, file.sites, std::move(file.fates), known));
+    }
+  } else {
+    for (const std::string& name : stages) results.push_back(run_stage(name, options, workshop, known));
+  }
+  const std::vector<std::string> tiers = options.model
+                                             ? std::vector<std::string>{"smoke", "leaves", "unit", "tests"}
+                                             : std::vector<std::string>{"smoke", "close", "pace", "suite", "long"};
+  const std::string json = to_json(results, options.seed).dump(1) + "\n";
+  const std::string text = to_text(results, tiers);
+  OutputFiles outputs;
+  outputs.write(directory / "mutation.json", json);
+  outputs.write(directory / "mutation.md", text);
+  outputs.commit();
+  fmt::print("{}", options.json ? json : text);
+  for (const mutation::StageResult& result : results) {
+    if (!result.open.empty()) return kBroken;
+  }
+  return kHolds;
+}
+
+}  // namespace
+
+void add_mutate(CLI::App& program, int& exit_code) {
+  auto options = std::make_shared<MutateOptions>();
+  CLI::App* command =
+      program.add_subcommand("mutate", "breaks the RTL in thousands of places, one at a time, and sees what notices");
+  command->footer(
+      "A mutant is a bit of an operator's port, inverted, stuck, or inverted by another bit, as in Yosys' mutate; one\n"
+      "build of a stage runs all of its mutants. Those that the first trial does not kill are compared with the stage\n"
+      "by SAT; what is neither killed nor proved the same must be in testbench/mutation/survivors.json with a reason,\n"
+      "or the exit code is 1. Goes on where it was stopped. Those of the model are tried on the leaves of feline\n"
+      "prove and on the model's tests.\n"
+      "Example: feline mutate --stage walk,plan --count 2000 --output mutants");
+  CLI::Option* const stage = command
+                                 ->add_option("--stage", options->stages,
+                                              fmt::format("{}; a list a,b, or all", fmt::join(stage_names(), ", ")))
+                                 ->capture_default_str();
+  CLI::Option* const count =
+      command->add_option("--count", options->count, "mutants of each stage, or as many as there are")
+          ->check(whole_number(1, 1000000))
+          ->capture_default_str();
+  CLI::Option* const roms = command->add_flag("--roms", options->roms, "instead every bit of every ROM of the stage");
+  command
+      ->add_flag("--model", options->model,
+                 "instead the model's sources: every operator, condition, number and value, against exact arithmetic")
+      ->excludes(stage, count, roms);
+  command->add_option("--seed", options->seed, "of the choice of mutants")
+      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
+      ->capture_default_str();
+  command->add_option("--known", options->known, "survivors with reasons, instead of the sources' own");
+  command->add_option("--source", options->source, "the project's sources")->capture_default_str();
+  command->add_option("--output", options->output, "directory for mutants, builds, mutation.json and mutation.md")
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "the result as JSON");
+  command->callback([options, &exit_code] { exit_code = run_mutate(*options); });
+}
+
+}  // namespace feline

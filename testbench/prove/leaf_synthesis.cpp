@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "testbench/prove/leaf_synthesis.h"
+
+#include <fmt/format.h>
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <sstream>
+#include <system_error>
+
+#include "testbench/area/yosys.h"
+#include "testbench/atomic_file.h"
+#include "testbench/error.h"
+
+namespace feline::prove {
+namespace {
+
+constexpr std::string_view kNeedsIt = "the second engine needs it";
+constexpr std::string_view kPackage = "tables/generated/feline_pkg.sv";
+constexpr std::string_view kModulePrefix = "feline_";
+
+// Lines up to `//`, and those that hold something.
+std::string without_comments(const std::string& text) {
+  std::istringstream lines(text);
+  std::string kept;
+  for (std::string line; std::getline(lines, line);) {
+    line.resize(std::min(line.find("//"), line.size()));
+    line.resize(line.find_last_not_of(' ') + 1);
+    if (!line.empty()) kept += line + "\n";
+  }
+  return kept;
+}
+
+std::string text_of(const std::filesystem::path& path) { return without_comments(read_text(path, "open", "a file")); }
+
+// Words that begin as modules do.
+std::set<std::string> module_words(const std::string& text) {
+  const auto is_part = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
+  std::set<std::string> words;
+  for (std::size_t at = text.find(kModulePrefix); at != std::string::npos; at = text.find(kModulePrefix, at + 1)) {
+    std::size_t end = at;
+    while (end < text.size() && is_part(text[end])) ++end;
+    words.insert(text.substr(at, end - at));
+  }
+  return words;
+}
+
+}  // namespace
+
+LeafSynthesis::LeafSynthesis(std::filesystem::path root) : root_(std::move(root)) {
+  read_modules("rtl", kModulePrefix, rtl_);
+  read_modules("tables/generated", "feline_rom_", rtl_);
+  read_modules("testbench/prove/rtl_leaves", kModulePrefix, leaves_);
+  read_modules("testbench/prove/proofs", kModulePrefix, proofs_);
+  package_ = text_of(root_ / kPackage);
+}
+
+void LeafSynthesis::read_modules(const std::string& directory, std::string_view prefix,
+                                 std::vector<Module>& modules) const {
+  const std::size_t before = modules.size();
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(root_ / directory, none)) {
+    const std::string name = entry.path().stem().string();
+    if (!name.starts_with(prefix) || entry.path().extension() != ".sv") continue;
+    modules.push_back({name, fmt::format("{}/{}.sv", directory, name), text_of(entry.path())});
+  }
+  if (modules.size() == before) {
+    bad_input(root_.string(), "--source", fmt::format("no {}/{}*.sv", directory, prefix), "this project's sources");
+  }
+}
+
+std::string LeafSynthesis::closure(const std::string& top, const std::vector<Module>& own, const Change* change) const {
+  std::map<std::string, const Module*> known;
+  // The first of a name counts.
+  for (const auto* const modules : {&own, &rtl_}) {
+    for (const Module& module : *modules) known.try_emplace(module.name, &module);
+  }
+  std::map<std::string, std::string> taken;
+  std::vector<std::string> waiting{top};
+  while (!waiting.empty()) {
+    const auto it = known.find(waiting.back());
+    waiting.pop_back();
+    if (it == known.end() || taken.contains(it->first)) continue;
+    std::string text = it->second->text;
+    if (change != nullptr && it->second->file == change->file) {
+      const std::size_t at = text.find(change->original);
+      if (at == std::string::npos || text.find(change->original, at + 1) != std::string::npos) {
+        bad_input((root_ / it->second->file).string(), "text of a proof's control", "not once", change->original);
+      }
+      text.replace(at, change->original.size(), change->mutant);
+    }
+    for (const std::string& word : module_words(text)) waiting.push_back(word);
+    taken[it->first] = std::move(text);
+  }
+  std::string all = package_;
+  for (const auto& [name, text] : taken) all += text;
+  return all;
+}
+
+std::string LeafSynthesis::version() const { return yosys_version(kNeedsIt); }
+
+Netlist LeafSynthesis::netlist(std::string_view wrapper, const Cache& cache) const {
+  const std::string module = fmt::format("feline_leaf_{}", wrapper);
+  const std::string text = closure(module, leaves_, nullptr);
+  // Words first, then gates of two inputs; abc's longer scripts take minutes over the dividers.
+  constexpr std::string_view kScript =
+      "read_verilog -sv -noautowire \"{0}\"\nsynth -flatten -top {1} -run begin:fine\nopt -full -purge\n"
+      "synth -run fine:check\nabc -fast -g simple,ANDNOT,ORNOT,XNOR,NAND,NOR\nopt_clean -purge\nwrite_json \"{2}\"";
+  const std::string key = cache.key({"leaf", version(), kScript, text, module});
+  if (const auto stored = cache.read(key)) return {*stored, module};
+  const std::filesystem::path work = std::filesystem::temp_directory_path();
+  const AtomicFile verilog(work / "feline-leaf.sv");
+  const AtomicFile json(work / "feline-leaf.json");
+  write_text(verilog.temporary(), text);
+  const page::Finished finished = run_yosys(
+      {"-q", "-p", fmt::format(fmt::runtime(kScript), verilog.temporary().string(), module, json.temporary().string())},
+      kNeedsIt);
+  if (finished.code != 0) throw InputError(fmt::format("yosys: exit code {}: {}", finished.code, finished.errors));
+  const std::string gates = read_text(json.temporary(), "open", "a file");
+  cache.write(key, gates);
+  return {gates, module};
+}
+
+std::string LeafSynthesis::leaf_hash(std::string_view wrapper) const {
+  const std::string text = closure(fmt::format("feline_leaf_{}", wrapper), leaves_, nullptr);
+  return fmt::format("{:016x}", XXH3_64bits(text.data(), text.size()));
+}
+
+std::string LeafSynthesis::proof_text(std::string_view proof, const Change* change) const {
+  const std::string top = fmt::format("feline_proof_{}", proof);
+  std::string text = closure(top, proofs_, change);
+  if (change != nullptr && text == closure(top, proofs_, nullptr)) {
+    bad_input((root_ / change->file).string(), "text of a proof's control", "nothing changed", "a module of the proof");
+  }
+  return text;
+}
+
+}  // namespace feline::prove

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "testbench/mutation/aiger.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "testbench/random.h"
+
+namespace feline::mutation {
+namespace {
+
+// Runs logic a cycle at a time.
+class Simulator {
+ public:
+  explicit Simulator(const Aiger& aiger) : aiger_(aiger), state_(aiger.next.size()) {}
+
+  std::vector<bool> cycle(const std::vector<bool>& inputs) {
+    std::vector<bool> values{false};
+    values.insert(values.end(), inputs.begin(), inputs.end());
+    values.insert(values.end(), state_.begin(), state_.end());
+    const auto read = [&](std::uint32_t literal) { return values[literal / 2] != ((literal & 1) != 0); };
+    for (const Aiger::Gate& gate : aiger_.gates) values.push_back(read(gate.left) && read(gate.right));
+    for (std::size_t i = 0; i < state_.size(); ++i) state_[i] = read(aiger_.next[i]);
+    std::vector<bool> outputs;
+    for (const Aiger::Output& output : aiger_.outputs) outputs.push_back(read(output.literal));
+    return outputs;
+  }
+
+ private:
+  const Aiger& aiger_;
+  std::vector<bool> state_;
+};
+
+// A register between two streams that is always ready; its data are taken when they are valid, or, being another,
+// always; or inverted when mutant[1] is set.
+Aiger stage(bool takes_always) {
+  Aiger aiger;
+  aiger.inputs = {"x_valid_i", "x_i[0]", "mutant[0]", "mutant[1]"};
+  aiger.next.resize(2);
+  const std::uint32_t valid = 2 * 5;
+  const std::uint32_t data = 2 * 6;
+  const std::uint32_t kept = takes_always ? 0 : aiger.add_gate(data, 3);
+  const std::uint32_t taken = takes_always ? 4 : aiger.add_gate(4, 2);
+  const std::uint32_t next = aiger.add_gate(kept ^ 1, taken ^ 1) ^ 1;
+  const std::uint32_t flipped = aiger.add_gate(aiger.add_gate(next, 8) ^ 1, aiger.add_gate(next ^ 1, 9) ^ 1);
+  aiger.next = {2, flipped};
+  aiger.outputs = {{1, "x_ready_o"}, {valid, "y_valid_o"}, {data, "y_o[0]"}};
+  return aiger;
+}
+
+bool differs(const Aiger& miter) {
+  Simulator simulator(miter);
+  SplitMix64 random(1);
+  for (int i = 0; i < 1000; ++i) {
+    std::vector<bool> inputs;
+    for (std::size_t k = 0; k < miter.inputs.size(); ++k) inputs.push_back(random.below(2) != 0);
+    if (simulator.cycle(inputs)[0]) return true;
+  }
+  return false;
+}
+
+TEST(mutation_aiger, reads_what_it_writes) {
+  const Aiger aiger = stage(false);
+  const Aiger again = read_aiger(to_binary(aiger) + "i1 x_i[0]\no2 y_o[0]\nc\nwhatever");
+  EXPECT_EQ(to_binary(again), to_binary(aiger));
+  EXPECT_EQ(again.inputs[1], "x_i[0]");
+  EXPECT_EQ(again.outputs[2].name, "y_o[0]");
+}
+
+TEST(mutation_aiger, refuses_what_is_no_logic) {
+  const std::string good = to_binary(stage(false));
+  EXPECT_THROW(read_aiger(""), std::runtime_error);
+  EXPECT_THROW(read_aiger("aag 0 0 0 0 0\n"), std::runtime_error);
+  EXPECT_THROW(read_aiger("aig 3 1 0 0 1\n\x02\x01"), std::runtime_error);  // a head that does not add up
+  EXPECT_THROW(read_aiger("aig 1 1 0 1 0\n9\n"), std::runtime_error);       // an output of nothing
+  EXPECT_THROW(read_aiger("aig 2 1 0 0 1\n\x09\x01"), std::runtime_error);  // a gate of a later one
+  for (std::size_t size = 0; size + 1 < good.size(); ++size) {
+    EXPECT_THROW(read_aiger(good.substr(0, size)), std::runtime_error) << size;
+  }
+}
+
+TEST(mutation_aiger, an_input_becomes_a_constant) {
+  const Aiger aiger = stage(false);
+  for (const std::uint64_t value : {0U, 2U}) {
+    const Aiger fixed = with_input(aiger, "mutant", value);
+    ASSERT_EQ(fixed.inputs.size(), aiger.inputs.size());
+    Simulator all(aiger);
+    Simulator one(fixed);
+    SplitMix64 random(3);
+    for (int i = 0; i < 200; ++i) {
+      std::vector<bool> inputs{random.below(2) != 0, random.below(2) != 0, false, value == 2};
+      const auto expected = all.cycle(inputs);
+      inputs[3] = random.below(2) != 0;  // nothing reads it
+      EXPECT_EQ(one.cycle(inputs), expected);
+    }
+  }
+}
+
+TEST(mutation_aiger, data_that_are_not_valid_are_not_looked_at) {
+  const Aiger right = with_input(stage(false), "mutant", 0);
+  EXPECT_FALSE(differs(observed_difference(right, right)));
+  EXPECT_FALSE(differs(observed_difference(right, with_input(stage(true), "mutant", 0))));
+  EXPECT_TRUE(differs(observed_difference(right, with_input(stage(false), "mutant", 2))));
+}
+
+TEST(mutation_aiger, nothing_is_looked_at_after_an_illegal_cycle) {
+  Aiger right = with_input(stage(false), "mutant", 0);
+  Aiger wrong = with_input(stage(false), "mutant", 2);
+  for (Aiger* const aiger : {&right, &wrong}) aiger->outputs.push_back({0, "legal_o"});
+  EXPECT_FALSE(differs(observed_difference(right, wrong)));
+  for (Aiger* const aiger : {&right, &wrong}) aiger->outputs.back().literal = 1;
+  EXPECT_TRUE(differs(observed_difference(right, wrong)));
+}
+
+TEST(mutation_aiger, an_output_needs_a_valid) {
+  Aiger aiger = stage(false);
+  aiger.outputs.push_back({2, "z_o[1]"});
+  EXPECT_THROW(observed_difference(aiger, aiger), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace feline::mutation

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "testbench/mutation/mutation_report.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "testbench/error.h"
+#include "tests/testbench/temp_dir.h"
+
+namespace feline::mutation {
+namespace {
+
+KnownSurvivors read(const std::string& text) {
+  const TempDir directory;
+  const auto file = directory / "survivors.json";
+  std::ofstream(file) << text;
+  return read_known_survivors(file);
+}
+
+TEST(mutation_report, survivors_have_reasons) {
+  const KnownSurvivors known = read(R"({"walk": [{"reason": "r", "mutants": ["a", "b"]}], "plan": []})");
+  EXPECT_EQ(known.at("walk").at("b"), "r");
+  EXPECT_THROW(read("[1]"), InputError);
+  EXPECT_THROW(read("{"), InputError);
+  EXPECT_THROW(read(R"({"walk": [{"reason": "", "mutants": ["a"]}]})"), InputError);
+  EXPECT_THROW(read(R"({"walk": [{"mutants": ["a"]}]})"), InputError);
+  EXPECT_THROW(read(R"({"walk": [{"reason": "r", "mutants": ["a", "a"]}]})"), InputError);
+  EXPECT_THROW(read(R"({"walk": [{"reason": "r", "mutants": [1]}]})"), InputError);
+  EXPECT_THROW(read_known_survivors("/nowhere/survivors.json"), InputError);
+}
+
+TEST(mutation_report, those_of_the_sources_can_be_read) {
+  EXPECT_NO_THROW(read_known_survivors(std::filesystem::path(FELINE_SOURCE_DIR) / "testbench/mutation/survivors.json"));
+}
+
+TEST(mutation_report, tells_what_nothing_is_known_of) {
+  StageResult result;
+  result.stage = "walk";
+  result.fates.resize(10);
+  result.killed = {{"smoke", 6}, {"suite", 1}};
+  result.same = 2;
+  result.open = {"$add at rtl/feline_walk.sv:1"};
+  EXPECT_EQ(result.kills(), 7U);
+  const std::string text = to_text({result}, {"smoke", "pace", "suite"});
+  EXPECT_NE(text.find("| walk | 10 | 6 | 0 | 1 | 2 | 0 | 0 | 1 | 87.50 % |"), std::string::npos) << text;
+  EXPECT_NE(text.find("OPEN: walk: $add at rtl/feline_walk.sv:1\n"), std::string::npos);
+  const auto json = to_json({result}, 5);
+  EXPECT_EQ(json["seed"], 5);
+  EXPECT_EQ(json["stages"]["walk"]["open"][0], "$add at rtl/feline_walk.sv:1");
+}
+
+}  // namespace
+}  // namespace feline::mutation
