@@ -12,6 +12,7 @@ function(feline_tests room)
                                                   FELINE_PROGRAM="$<TARGET_FILE:feline>"
                                                   FELINE_BROKEN="$<TARGET_FILE:feline_broken>")
   target_link_libraries(${room}_test PRIVATE ${ARGN} feline_exact GTest::gtest GTest::gtest_main)
+  feline_together(${room}_test)
   gtest_discover_tests(${room}_test TEST_PREFIX ${room}. TEST_FILTER "-*_long.*" NO_PRETTY_VALUES
                        DISCOVERY_MODE PRE_TEST)
   gtest_discover_tests(${room}_test TEST_PREFIX ${room}. TEST_FILTER "*_long.*" TEST_SUFFIX .long TEST_LIST ${room}_long
@@ -25,7 +26,7 @@ include(tests/rtl/faults.cmake)
 file(GLOB TESTS_SUPPORT CONFIGURE_DEPENDS tests/support/*.cpp)
 feline_tests(tables feline_tables)
 feline_tests(model feline_model feline_reference)
-feline_tests(testbench feline_bench)
+feline_tests(testbench feline_program)
 add_dependencies(testbench_test feline)
 feline_tests(rtl feline_bench feline_faulty)
 add_dependencies(rtl_test feline feline_broken)

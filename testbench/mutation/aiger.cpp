@@ -265,4 +265,31 @@ Aiger observed_difference(const Aiger& right, const Aiger& wrong) {
   return miter;
 }
 
+Aiger steady_flow(const Aiger& aiger, std::size_t cycles) {
+  Aiger flow{aiger.inputs, {}, {}, {}};
+  std::vector<std::uint32_t> given{0};
+  for (std::uint32_t i = 0; i < aiger.inputs.size(); ++i) {
+    const std::string base = base_of(aiger.inputs[i]);
+    const bool flows = base.ends_with("_valid_i") || base.ends_with("_ready_i");
+    given.push_back(base == "rst_i" ? 0 : flows ? 1 : 2 * (i + 1));
+  }
+  std::vector<std::uint32_t> state(aiger.next.size(), 0);
+  std::vector<std::uint32_t> variables;
+  const auto moved = [&](std::uint32_t literal) { return variables[literal / 2] ^ (literal & 1); };
+  for (std::size_t cycle = 0; cycle < cycles; ++cycle) {
+    variables = given;
+    variables.insert(variables.end(), state.begin(), state.end());
+    variables = copy_gates(aiger, std::move(variables), flow);
+    for (std::size_t i = 0; i < state.size(); ++i) state[i] = moved(aiger.next[i]);
+  }
+  std::uint32_t legal = 1;
+  for (const Aiger::Output& output : aiger.outputs) {
+    if (output.name == "legal_o") legal = moved(output.literal);
+  }
+  for (const Aiger::Output& output : aiger.outputs) {
+    flow.outputs.push_back({flow.add_gate(legal, moved(output.literal)), output.name});
+  }
+  return flow;
+}
+
 }  // namespace feline::mutation

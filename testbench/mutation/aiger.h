@@ -47,4 +47,8 @@ Aiger cut_latches(const Aiger& aiger);
 // for an output without a valid.
 Aiger observed_difference(const Aiger& right, const Aiger& wrong);
 
+// Without state: what leaves a pipeline after so many cycles of the same beat, all valid and ready, and no reset; zeros
+// where that is not legal (legal_o). To be compared are pipelines without other state than that of their streams.
+Aiger steady_flow(const Aiger& aiger, std::size_t cycles);
+
 }  // namespace feline::mutation

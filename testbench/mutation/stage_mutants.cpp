@@ -151,6 +151,11 @@ std::string StageMutants::describe(const Mutant& mutant) const {
                      site.width, what);
 }
 
+bool StageMutants::in_stream(const Mutant& mutant) const {
+  const std::string place = mutant.kind == Kind::kRomBit ? "" : innermost(sites_[mutant.site - 1].source);
+  return !place.starts_with("rtl/") || place.starts_with("rtl/feline_stream_register.sv");
+}
+
 std::string StageMutants::logic(const std::vector<Mutant>& mutants) const {
   std::set<std::uint32_t> numbers;
   for (const Mutant& mutant : mutants) numbers.insert(mutant.site);
@@ -165,8 +170,8 @@ std::string StageMutants::logic(const std::vector<Mutant>& mutants) const {
       source_ / "testbench" / "mutation" / "rules" / fmt::format("feline_rules_{}.sv", stage_);
   if (std::filesystem::exists(rules)) {
     add_rules(netlist["modules"][top], stage_, read_text(rules, "rules", "a module"));
-    sources = fmt::format("{} {} {}", quoted_path(source_ / "tables" / "generated" / "feline_pkg.sv"), sources,
-                          quoted_path(rules));
+    sources = fmt::format("{} {}{}", quoted_path(source_ / "tables" / "generated" / "feline_pkg.sv"), sources,
+                          files(rules.parent_path(), "feline_rules_"));
   }
   write_text(json, netlist.dump());
   run_script(

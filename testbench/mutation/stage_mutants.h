@@ -32,6 +32,10 @@ class StageMutants {
   // "$add at rtl/feline_walk.sv:53.19-53.60, port B, bit 2 of 10: invert", "ROM weight, word 17, bit 3".
   std::string describe(const Mutant& mutant) const;
 
+  // Whether it may touch valid or ready, or when a register takes what it holds: not in a module of the stage's
+  // arithmetic.
+  bool in_stream(const Mutant& mutant) const;
+
   // The stage's combinational logic, registers and memories cut open, as binary AIGER with the mutant as inputs
   // mutant[0] to mutant[63]; sites other than those of `mutants` left out. With rules/feline_rules_STAGE.sv, if there
   // is one: legal_o says that what comes in is what can come. Not of the unit. Throws std::runtime_error.

@@ -97,6 +97,38 @@ TEST(mutation_aiger, an_input_becomes_a_constant) {
   }
 }
 
+TEST(mutation_aiger, bits_beyond_the_value_are_zeros) {
+  Aiger aiger;
+  aiger.inputs = {"x[0]", "x[64]", "x[65", "x_valid_i"};
+  for (std::uint32_t i = 0; i < 4; ++i) aiger.outputs.push_back({2 * (i + 1), "y"});
+  const auto outputs = with_input(aiger, "x", ~std::uint64_t{0}).outputs;
+  EXPECT_EQ(outputs[0].literal, 1U);
+  EXPECT_EQ(outputs[1].literal, 0U);
+  EXPECT_EQ(outputs[2].literal, 6U);
+  EXPECT_EQ(outputs[3].literal, 8U);
+}
+
+TEST(mutation_aiger, in_steady_flow_registers_are_wires) {
+  const Aiger plain = steady_flow(with_input(stage(false), "mutant", 0), 3);
+  const Aiger always = steady_flow(with_input(stage(true), "mutant", 0), 3);
+  const Aiger flipped = steady_flow(with_input(stage(false), "mutant", 2), 3);
+  EXPECT_TRUE(plain.next.empty());
+  for (const bool value : {false, true}) {
+    const std::vector<bool> inputs{false, value, false, false};
+    EXPECT_EQ(Simulator(plain).cycle(inputs), (std::vector<bool>{true, true, value}));
+    EXPECT_EQ(Simulator(always).cycle(inputs), (std::vector<bool>{true, true, value}));
+    EXPECT_EQ(Simulator(flipped).cycle(inputs), (std::vector<bool>{true, true, !value}));
+  }
+}
+
+TEST(mutation_aiger, nothing_illegal_flows) {
+  Aiger aiger = with_input(stage(false), "mutant", 0);
+  aiger.outputs.push_back({4, "legal_o"});  // only a one is
+  const Aiger flow = steady_flow(aiger, 3);
+  EXPECT_EQ(Simulator(flow).cycle({true, false, false, false}), (std::vector<bool>{false, false, false, false}));
+  EXPECT_EQ(Simulator(flow).cycle({true, true, false, false}), (std::vector<bool>{true, true, true, true}));
+}
+
 TEST(mutation_aiger, data_that_are_not_valid_are_not_looked_at) {
   const Aiger right = with_input(stage(false), "mutant", 0);
   EXPECT_FALSE(differs(observed_difference(right, right)));
