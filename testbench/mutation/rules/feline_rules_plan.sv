@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// What reaches plan: a beat stays until it is taken; the minor radius is not larger than the major one, which is 0 or at
+// least 64 (leaves footprint.*); nothing unsupported in the full configuration.
+`default_nettype none
+
+module feline_rules_plan (
+  input  wire logic                   clk_i,
+  input  wire logic                   rst_i,
+  input  wire feline_pkg::sampler_t   sampler_i,
+  input  wire logic                   footprint_valid_i,
+  input  wire logic                   footprint_ready_o,
+  input  wire feline_pkg::footprint_t footprint_i,
+  output logic                        legal_o
+);
+  localparam logic [feline_pkg::RadiusWidth-1:0] Least =
+      feline_pkg::RadiusWidth'(1) << (feline_pkg::MantissaWidth - 2 + feline_pkg::RadiusFraction);
+
+  logic                   held_q;
+  feline_pkg::footprint_t footprint_q;
+  logic                   sampler_legal;
+
+  always_ff @(posedge clk_i) begin
+    held_q <= !rst_i && footprint_valid_i && !footprint_ready_o;
+    footprint_q <= footprint_i;
+  end
+
+  feline_rules_sampler u_sampler (.clk_i, .rst_i, .sampler_i, .legal_o(sampler_legal));
+
+  assign legal_o = sampler_legal && (!held_q || (footprint_valid_i && footprint_i == footprint_q)) &&
+                   (!footprint_valid_i || (footprint_i.minor_radius <= footprint_i.major_radius &&
+                                           (footprint_i.major_radius == '0 || footprint_i.major_radius >= Least) &&
+                                           !footprint_i.status[feline_pkg::StatusUnsupported]));
+endmodule
+
+`default_nettype wire
