@@ -43,7 +43,7 @@ fi
 # The stages are templates: the linker keeps one copy of each, which must not be one that is compiled without optimization.
 light=$(grep -lE '#include "model/(unit|group|footprint|plan|walk|address|fetch|filter|accumulate|shortcuts)\.h"' \
   testbench/program/*.cpp testbench/page/*.cpp testbench/cosim/mismatch.cpp \
-  testbench/prune/{pruned_main,profile,prune}.cpp |
+  testbench/prune/{pruned_main,profile,prune}.cpp testbench/{gbuffer,image,image_io}.cpp |
   grep -vxE 'testbench/program/(command_vectors|explanation)\.cpp' || true)
 [[ -z $light ]] || fail "the stages in what CMakeLists.txt compiles with -O0: $light"
 

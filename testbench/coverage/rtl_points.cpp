@@ -13,7 +13,7 @@ namespace feline::coverage {
 namespace {
 
 constexpr std::string_view kHead = "# SystemC::Coverage-3";
-constexpr std::string_view kUnit = "TOP.feline_bench.u_unit";
+constexpr std::string_view kUnitScope = "TOP.feline_bench.u_unit";
 // The body of a process, or of a loop in it, is entered without a condition. Of combinational processes Verilator moves
 // the counter to where the design settles, once.
 constexpr std::string_view kUnconditional = "block";
@@ -65,8 +65,8 @@ std::optional<Kind> kind_of(std::string_view page) {
 // Of a point's hierarchy, "u_group.u_products" of "TOP.feline_bench.u_unit.u_group.u_products"; empty for the unit
 // itself.
 std::optional<std::string> instance_of(std::string_view hierarchy) {
-  if (!hierarchy.starts_with(kUnit)) return std::nullopt;
-  hierarchy.remove_prefix(kUnit.size());
+  if (!hierarchy.starts_with(kUnitScope)) return std::nullopt;
+  hierarchy.remove_prefix(kUnitScope.size());
   if (hierarchy.empty()) return "";
   if (hierarchy.front() != '.') return std::nullopt;
   return std::string(hierarchy.substr(1));
@@ -91,7 +91,7 @@ std::vector<Point> read_rtl_points(const std::filesystem::path& file, SourceText
     const auto kind = kind_of(record->get("page"));
     if (!kind) fail("page", record->get("page"), "v_line/, v_branch/ or v_toggle/");
     const auto instance = instance_of(record->get("h"));
-    if (!instance) fail("h", record->get("h"), fmt::format("{} or an instance of it", kUnit));
+    if (!instance) fail("h", record->get("h"), fmt::format("{} or an instance of it", kUnitScope));
     const auto source_line = number<int>(record->get("l"));
     if (!source_line) fail("l", record->get("l"), "a line's number");
     if (record->get("f").empty()) fail("f", "", "a source's name");

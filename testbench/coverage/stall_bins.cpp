@@ -7,7 +7,7 @@ namespace feline::coverage {
 namespace {
 
 // In the order of the grids.
-enum Grid : std::size_t { kStalls, kResets };
+enum StallGrid : std::size_t { kStalls, kResets };
 
 constexpr std::size_t kRequest = kStageCount;
 constexpr std::size_t kMemoryRequest = kRequest + 1;

@@ -13,7 +13,6 @@
 namespace feline {
 namespace {
 
-using reference::Lookup;
 using reference::Vector2;
 
 constexpr double kHalfField = 2.4 * std::numbers::pi / 180;  // at 85 degrees every ray still meets the plane
@@ -21,7 +20,7 @@ constexpr int kTexture = 256;
 constexpr int kPixels = 8;  // a side of the picture
 constexpr int kDistances = 16;
 constexpr int kTurns = 8;
-constexpr int kMaxProbes = 16;
+constexpr int kMostProbes = 16;
 // Far from the clamp of radii at a texel and from the end of the mip levels; and where EWA changes levels, so that few
 // distances are enough for the mean.
 constexpr double kLeastRadius = 6;
@@ -53,13 +52,13 @@ void add(reference::Cost& sum, const reference::Cost& cost, double weight) {
 
 }  // namespace
 
-std::vector<Lookup> plane_lookups(double degrees, double radius, double turn, int side, int texture_size) {
+std::vector<reference::Lookup> plane_lookups(double degrees, double radius, double turn, int side, int texture_size) {
   const double angle = degrees * std::numbers::pi / 180;
   const double pixel = 2 * std::tan(kHalfField) / side;  // on the picture plane at distance 1
   // The plane, at distance 1 along the line of sight, is tilted about the horizontal: the ray (x, y, 1) meets it at
   // depth z = cos / (cos - y sin), x z from the middle across and y z / cos along the slope.
   const double scale = radius / pixel;  // texels a unit of the plane
-  std::vector<Lookup> lookups;
+  std::vector<reference::Lookup> lookups;
   for (int row = 0; row < side; ++row) {
     for (int column = 0; column < side; ++column) {
       const double x = pixel * (column + 0.5 - side / 2.0);
@@ -89,7 +88,7 @@ AngleCosts measure_costs(double degrees) {
     const double radius = kLeastRadius * std::exp2((distance + 0.5) / kDistances);
     // Over half a turn, after which texels and stamps look the same again.
     const double turn = std::numbers::pi * (i % kTurns + 0.5) / kTurns;
-    for (Lookup lookup : plane_lookups(degrees, radius, turn, kPixels, kTexture)) {
+    for (reference::Lookup lookup : plane_lookups(degrees, radius, turn, kPixels, kTexture)) {
       lookup.position = lookup.position + scatter(count++);
       const auto measure = [&](reference::Cost& sum, auto&& filter) {
         reference::Cost cost;
@@ -100,7 +99,7 @@ AngleCosts measure_costs(double degrees) {
         feline_filter(map, reference::simple_axes, parameters, reference::ProbeKernel::kGaussian, lookup, cost);
       };
       measure(costs.trilinear, [&](auto& cost) { trilinear_filter(map, lookup, cost); });
-      measure(costs.texram, [&](auto& cost) { texram_filter(map, kMaxProbes, lookup, cost); });
+      measure(costs.texram, [&](auto& cost) { texram_filter(map, kMostProbes, lookup, cost); });
       measure(costs.high_efficiency, [&](auto& cost) { simple(cost, reference::kHighEfficiency); });
       measure(costs.high_quality, [&](auto& cost) { simple(cost, reference::kHighQuality); });
       measure(costs.ewa, [&](auto& cost) { ewa_filter(map, {}, lookup, cost); });

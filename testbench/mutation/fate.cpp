@@ -166,8 +166,8 @@ void compare_logic(const StageMutants& stage, Fate::Logic wanted, const Workshop
       const auto place = static_cast<std::size_t>(i);
       const Aiger wrong = with_input(logic, "mutant", code(mutants[place]));
       const bool flows = is_pipeline && !stage.in_stream(mutants[place]);
-      const bool proved = same ? same_logic(right, wrong)
-                               : (flows && same_flow(right, wrong)) || unobserved(right, wrong);
+      const bool proved =
+          same ? same_logic(right, wrong) : (flows && same_flow(right, wrong)) || unobserved(right, wrong);
       if (proved) known[place] = '1';
       progress.advance(1);
     });

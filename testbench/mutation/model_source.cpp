@@ -17,12 +17,12 @@ struct Token {
 };
 
 // What model_site.h has: its name, the operator and how many operands that has, and what is done instead.
-struct Kind {
+struct Pattern {
   std::string_view name, token;
   int operands;
   std::array<std::string_view, 3> alternatives;
 };
-constexpr auto kKinds = std::to_array<Kind>({
+constexpr auto kKinds = std::to_array<Pattern>({
     {"Plus", "+", 2, {"a - b", "a"}},
     {"Minus", "-", 2, {"a + b", "a"}},
     {"Times", "*", 2, {"a + b", "a"}},
@@ -49,9 +49,9 @@ constexpr auto kKinds = std::to_array<Kind>({
     {"literal", "", 0, {"one more, or the opposite", "one less"}},
 });
 
-const Kind* kind_of(std::string_view token, int operands) {
-  const auto* const found =
-      std::ranges::find_if(kKinds, [&](const Kind& kind) { return kind.token == token && kind.operands == operands; });
+const Pattern* kind_of(std::string_view token, int operands) {
+  const auto* const found = std::ranges::find_if(
+      kKinds, [&](const Pattern& kind) { return kind.token == token && kind.operands == operands; });
   return found == kKinds.end() ? nullptr : found;
 }
 
@@ -225,9 +225,9 @@ class SourceInstrumenter {
     if (word == ">" && token(i + 1) == ">" && tokens_[i + 1].first == tokens_[i].first + 1) {
       const bool shifts = std::isspace(static_cast<unsigned char>(text_[tokens_[i].first - 1])) != 0;
       if (shifts) insert_after(i + 1, fmt::format(" {}{{}} >>", site(i, "ShiftRight")));
-    } else if (const Kind* const binary = kind_of(word, 2); binary != nullptr && spaced(i)) {
+    } else if (const Pattern* const binary = kind_of(word, 2); binary != nullptr && spaced(i)) {
       insert_after(i, fmt::format(" {}{{}} {}", site(i, binary->name), word));
-    } else if (const Kind* const unary = kind_of(word, 1); unary != nullptr && !spaced(i)) {
+    } else if (const Pattern* const unary = kind_of(word, 1); unary != nullptr && !spaced(i)) {
       edits_.push_back({tokens_[i].first, 1, fmt::format("{}{{}}->*", site(i, unary->name))});
     }
   }
@@ -246,7 +246,7 @@ std::string instrument_source(std::string_view text, const std::string& file, st
 }
 
 std::string ModelSite::alternative(std::uint32_t alternative) const {
-  return std::string(std::ranges::find(kKinds, kind, &Kind::name)->alternatives[alternative]);
+  return std::string(std::ranges::find(kKinds, kind, &Pattern::name)->alternatives[alternative]);
 }
 
 }  // namespace feline::mutation

@@ -13,7 +13,7 @@ namespace feline::page {
 namespace {
 
 constexpr int kTop = 6;
-constexpr int kLine = 18;
+constexpr int kLineHeight = 18;
 constexpr int kBelow = 74;        // for the label and the legend
 constexpr int kLeastCrossed = 8;  // of narrower cells nothing but their crosses would be seen
 constexpr int kLegendWidth = 160;
@@ -52,8 +52,8 @@ std::string column_names(const HeatMap& map, int y) {
   std::string html;
   for (std::size_t i = 0; i < map.column_names.size(); ++i) {
     const double x = map.names_width + (static_cast<double>(i) + 0.5) * map.cell_width;
-    if (map.names_height <= kLine) {
-      html += text(x, y + kLine, "middle", map.column_names[i]);
+    if (map.names_height <= kLineHeight) {
+      html += text(x, y + kLineHeight, "middle", map.column_names[i]);
     } else {
       html += fmt::format("<g transform='rotate(-90 {0:.1f} {1})'>\n{2}</g>\n", x + 5, y + 6,
                           text(x + 5, y + 6, "end", map.column_names[i]));

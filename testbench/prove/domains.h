@@ -6,6 +6,9 @@
 
 namespace feline::prove {
 
+// An enumerator as a field has it.
+std::int64_t code(auto value) { return static_cast<std::int64_t>(value); }
+
 template <typename L>
 Leaf make_leaf(std::string name, std::string_view wrapper, Domain domain) {
   return {std::move(name),

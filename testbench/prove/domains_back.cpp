@@ -15,8 +15,6 @@ constexpr std::int64_t kMostSize = std::int64_t{1} << F::kSizeBits;
 // Sizes up to this one are enumerated, position by position.
 constexpr std::int64_t kEnumeratedSize = std::min<std::int64_t>(4096, kMostSize);
 
-std::int64_t code(auto value) { return static_cast<std::int64_t>(value); }
-
 std::vector<std::int64_t> enumerated_sizes() {
   std::vector<std::int64_t> sizes;
   for (std::int64_t size = 1; size <= kEnumeratedSize; ++size) sizes.push_back(size);

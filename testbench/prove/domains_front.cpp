@@ -13,7 +13,6 @@ namespace {
 
 using F = UnitFormats;
 
-std::int64_t code(auto value) { return static_cast<std::int64_t>(value); }
 std::int64_t factor(double value) { return std::llround(value * static_cast<double>(F::kFactor.one())); }
 
 // How Feline 3.4's parameters and EXT come to a unit: each named set once.

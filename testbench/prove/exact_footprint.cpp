@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "testbench/prove/exact_rounding.h"
 #include "testbench/prove/exact_tables.h"
 #include "testbench/prove/lane_loop.h"
 #include "testbench/prove/leaves.h"
@@ -29,9 +30,6 @@ double magnitude_of(std::int64_t bits) {
 }
 
 double power(std::int64_t exponent) { return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52); }
-
-// The integer nearest to x >= 0, ties up, from the whole halves in it.
-std::int64_t nearest(double x) { return (static_cast<std::int64_t>(2 * x) + 1) >> 1; }
 
 // The least integer that is not below x >= 0.
 std::int64_t not_below(double x) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "testbench/prove/exact_rounding.h"
 #include "testbench/prove/exact_tables.h"
 #include "testbench/prove/lane_loop.h"
 #include "testbench/prove/leaves.h"
@@ -19,9 +20,6 @@ __extension__ using Wide = __int128;
 constexpr bool is_mode(std::int64_t code, Mode mode) { return code == static_cast<std::int64_t>(mode); }
 
 constexpr double real(std::int64_t x) { return static_cast<double>(x); }
-
-// The integer nearest to x >= 0, ties up, from the whole halves in it.
-constexpr std::int64_t nearest(double x) { return (static_cast<std::int64_t>(2 * x) + 1) >> 1; }
 
 // Which multiples of 1/256 the logarithms of 256/256 .. 512/256 are nearest to.
 const std::array<std::int64_t, 257>& log2_table() {

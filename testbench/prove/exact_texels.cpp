@@ -13,7 +13,7 @@
 namespace feline::prove {
 namespace {
 
-constexpr std::int64_t kTexture = std::int64_t{1} << 24;
+constexpr std::int64_t kTurn = std::int64_t{1} << 24;
 
 // Twice as many rows and columns as there can be, so that nothing is read past the end.
 const std::array<std::array<std::int64_t, 32>, 256>& weights_table() {
@@ -49,14 +49,14 @@ const std::array<std::int64_t, 256>& linear_of_srgb_table() {
 
 std::int64_t wrapped_of(std::int64_t position, Wrap wrap) {
   switch (wrap) {
-    case Wrap::kRepeat: return position & (kTexture - 1);
+    case Wrap::kRepeat: return position & (kTurn - 1);
     case Wrap::kMirroredRepeat: {
       // Of the way there and the way back from the end of both pictures, the shorter one.
-      const std::int64_t there = position & (2 * kTexture - 1);
-      return std::min(there, 2 * kTexture - there);
+      const std::int64_t there = position & (2 * kTurn - 1);
+      return std::min(there, 2 * kTurn - there);
     }
-    case Wrap::kClampToEdge: return std::clamp<std::int64_t>(position, 0, kTexture);
-    case Wrap::kClampToBorder: return std::clamp(position, -kTexture, 2 * kTexture - 1);
+    case Wrap::kClampToEdge: return std::clamp<std::int64_t>(position, 0, kTurn);
+    case Wrap::kClampToBorder: return std::clamp(position, -kTurn, 2 * kTurn - 1);
   }
   return 0;
 }

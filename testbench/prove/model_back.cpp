@@ -7,17 +7,9 @@
 #include "model/walk.h"
 #include "testbench/prove/lane_loop.h"
 #include "testbench/prove/leaves.h"
+#include "testbench/prove/set_field.h"
 
 namespace feline::prove {
-namespace {
-
-template <typename T>
-void set(T& field, std::int64_t raw) {
-  field = T::from_raw(raw);
-}
-
-}  // namespace
-
 ProbeWeight::Outputs ProbeWeight::model(const Inputs& inputs) {
   const auto [probes, weight_row, probe] = inputs;
   const std::int64_t n = probe_offset(probe, probes);

@@ -5,16 +5,12 @@
 #include "model/plan.h"
 #include "testbench/prove/lane_loop.h"
 #include "testbench/prove/leaves.h"
+#include "testbench/prove/set_field.h"
 
 namespace feline::prove {
 namespace {
 
 using Sampler = SamplerState<kUnit>;
-
-template <typename T>
-void set(T& field, std::int64_t raw) {
-  field = T::from_raw(raw);
-}
 
 Sampler sampler_of_mode(std::int64_t mode) {
   Sampler sampler;

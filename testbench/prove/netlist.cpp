@@ -14,7 +14,6 @@
 namespace feline::prove {
 namespace {
 
-using Json = nlohmann::json;
 using Gate = Netlist::Gate;
 using Kind = Netlist::Kind;
 
@@ -23,7 +22,7 @@ constexpr std::array<std::string_view, 10> kCells{"$_AND_", "$_ANDNOT_", "$_OR_"
 constexpr std::uint32_t kZero = 0;
 constexpr std::uint32_t kOne = 1;
 
-std::uint32_t net_of(const Json& bit) {
+std::uint32_t net_of(const nlohmann::json& bit) {
   if (bit.is_number()) {
     const auto net = whole_from_json<std::uint32_t>(bit);
     if (net <= kOne) throw std::runtime_error("nets are numbered from 2 on");
@@ -86,9 +85,9 @@ constexpr bool is_constant(std::uint32_t net) { return net <= kOne; }
 
 Netlist::Netlist(std::string_view json, std::string_view module) {
   try {
-    const Json all = Json::parse(json);
+    const nlohmann::json all = nlohmann::json::parse(json);
     read(all.at("modules").at(std::string(module)), module);
-  } catch (const Json::exception& error) {
+  } catch (const nlohmann::json::exception& error) {
     throw std::runtime_error(fmt::format("{}: not what Yosys writes: {}", module, error.what()));
   }
   std::unordered_set<std::uint32_t> driven{kZero, kOne};
@@ -104,7 +103,7 @@ Netlist::Netlist(std::string_view json, std::string_view module) {
 
 void Netlist::read(const nlohmann::json& top, std::string_view module) {
   for (const auto& [port, nets] : {std::pair{"inputs_i", &inputs}, {"outputs_o", &outputs}}) {
-    for (const Json& bit : top.at("ports").at(port).at("bits")) nets->push_back(net_of(bit));
+    for (const nlohmann::json& bit : top.at("ports").at(port).at("bits")) nets->push_back(net_of(bit));
   }
   for (const auto& [name, cell] : top.at("cells").items()) {
     const auto type = cell.at("type").get<std::string>();
@@ -112,7 +111,7 @@ void Netlist::read(const nlohmann::json& top, std::string_view module) {
     if (known == kCells.end()) {
       throw std::runtime_error(fmt::format("{}: cell {} of type {}, expected gates alone", module, name, type));
     }
-    const Json& wires = cell.at("connections");
+    const nlohmann::json& wires = cell.at("connections");
     const auto pin = [&](const char* name) { return net_of(wires.at(name).at(0)); };
     const auto kind = static_cast<Kind>(known - kCells.begin());
     gates.push_back(

@@ -18,8 +18,8 @@
 namespace feline::prove {
 namespace {
 
-constexpr std::uint32_t kZero = 0;
-constexpr std::uint32_t kOne = 1;
+constexpr std::uint32_t kZeroSlot = 0;
+constexpr std::uint32_t kOneSlot = 1;
 
 // Eight words that are worked on at once.
 using Slice = std::uint64_t __attribute__((vector_size(64), may_alias));
@@ -53,7 +53,7 @@ NetlistProgram::NetlistProgram(const Netlist& netlist) {
   }
   for (const std::uint32_t net : netlist.outputs) last[net] = end;
 
-  std::unordered_map<std::uint32_t, std::uint32_t> slot_of{{kZero, kZero}, {kOne, kOne}};
+  std::unordered_map<std::uint32_t, std::uint32_t> slot_of{{kZeroSlot, kZeroSlot}, {kOneSlot, kOneSlot}};
   std::vector<std::uint32_t> free;
   const auto take = [&](std::uint32_t net) {
     if (free.empty()) free.push_back(static_cast<std::uint32_t>(slots_++));
@@ -71,7 +71,7 @@ NetlistProgram::NetlistProgram(const Netlist& netlist) {
     const Netlist::Gate& gate = netlist.gates[i];
     Step step{gate.kind, slot(gate.reads[0]), slot(gate.reads[1]), slot(gate.reads[2]), 0};
     for (const std::uint32_t net : gate.reads) {
-      if (net <= kOne || last[net] != i) continue;
+      if (net <= kOneSlot || last[net] != i) continue;
       free.push_back(slot_of[net]);
       last[net] = end + 1;  // once
     }
@@ -130,8 +130,8 @@ void NetlistProgram::evaluate(const std::uint64_t* inputs, std::size_t input_wor
   scratch.resize(slots_ * kWords + 8);
   const auto address = reinterpret_cast<std::uintptr_t>(scratch.data());
   std::uint64_t* const slots = scratch.data() + (64 - address % 64) % 64 / sizeof(std::uint64_t);
-  std::fill_n(slots + kZero * kWords, kWords, 0);
-  std::fill_n(slots + kOne * kWords, kWords, ~std::uint64_t{0});
+  std::fill_n(slots + kZeroSlot * kWords, kWords, 0);
+  std::fill_n(slots + kOneSlot * kWords, kWords, ~std::uint64_t{0});
   constexpr std::size_t kSquareLanes = 64 * kSliceWords;
   Squares squares;
   for (std::size_t first = 0; first < count; first += kSquareLanes) {

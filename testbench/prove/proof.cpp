@@ -17,7 +17,7 @@ namespace {
 // Seconds until ABC gives up.
 constexpr int kPatience = 600;
 
-constexpr std::string_view kNeedsIt = "proofs need it";
+constexpr std::string_view kNeed = "proofs need it";
 
 enum class Answer { kNever, kSometimes, kUnknown };
 
@@ -33,13 +33,13 @@ Answer ask(const Proof& proof, const std::string& verilog, std::string& said) {
       "memory_map\nopt\ndffunmap\nsetundef -zero -undriven\nsetundef -zero\ntechmap\nopt -fast\ndffunmap\n"
       "setundef -zero\naigmap\nopt_clean -purge\nwrite_aiger {2} \"{3}\"",
       source.temporary().string(), proof.name, has_state ? "-zinit" : "", circuit.temporary().string());
-  const page::Finished yosys = run_yosys({"-q", "-p", script}, kNeedsIt);
+  const page::Finished yosys = run_yosys({"-q", "-p", script}, kNeed);
   if (yosys.code != 0) throw InputError(fmt::format("yosys: exit code {}: {}", yosys.code, yosys.errors));
   const std::string commands =
       has_state
           ? fmt::format("read_aiger {}; strash; scleanup; scorr; pdr -T {}", circuit.temporary().string(), kPatience)
           : fmt::format("&r {}; &cec -m -C 1000000000 -T {}", circuit.temporary().string(), kPatience);
-  const page::Finished abc = run_abc(commands, kNeedsIt);
+  const page::Finished abc = run_abc(commands, kNeed);
   const auto says = [&](std::string_view text) { return abc.output.find(text) != std::string::npos; };
   said = abc.output + abc.errors;
   if (abc.code != 0) return Answer::kUnknown;

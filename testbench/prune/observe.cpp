@@ -15,8 +15,7 @@
 namespace feline {
 namespace {
 
-constexpr Config kFull = kDefaultConfig;
-using F = Formats<kFull>;
+using F = Formats<kDefaultConfig>;
 
 int magnitude_bits(std::int64_t raw) { return bit_length(std::abs(raw)); }
 
@@ -24,8 +23,8 @@ int magnitude_bits(std::int64_t raw) { return bit_length(std::abs(raw)); }
 class Recorder {
  public:
   // Without a texture, which memory is read is nobody's concern.
-  Recorder(const SamplerState<kFull>& sampler, const TextureUse* unread)
-      : sampler_(sampler), mode_(supported_mode<kFull>(sampler)) {
+  Recorder(const SamplerState<kDefaultConfig>& sampler, const TextureUse* unread)
+      : sampler_(sampler), mode_(supported_mode<kDefaultConfig>(sampler)) {
     if (unread != nullptr) {
       use_ = *unread;
       shift_ = unread->block_shift() + kTileLog2;
@@ -36,9 +35,9 @@ class Recorder {
     }
   }
 
-  void operator()(const RequestBeat<kFull>& beat) { count(Reach::kDerivatives, needed_derivatives(beat)); }
+  void operator()(const RequestBeat<kDefaultConfig>& beat) { count(Reach::kDerivatives, needed_derivatives(beat)); }
 
-  void operator()(const GroupBeat<kFull>& beat) {
+  void operator()(const GroupBeat<kDefaultConfig>& beat) {
     ++lookups_;
     count(Reach::kPositionBitsS, magnitude_bits(beat.s.raw()));
     count(Reach::kPositionBitsT, magnitude_bits(beat.t.raw()));
@@ -49,35 +48,35 @@ class Recorder {
     count(Reach::kDudy, beat.dudy.raw());
     count(Reach::kDvdy, beat.dvdy.raw());
     if (mode_ == Mode::kTable) {
-      const TableCell cell = table_cell<kFull>(gradients_of<kFull>(beat));
-      count(Reach::kCell, cell.row * kFull.table_columns + cell.column);
+      const TableCell cell = table_cell<kDefaultConfig>(gradients_of<kDefaultConfig>(beat));
+      count(Reach::kCell, cell.row * kDefaultConfig.table_columns + cell.column);
     }
   }
 
-  void operator()(const FootprintBeat<kFull>& beat) {
-    const ClampedRadii radii = clamp_radii<kFull>(beat, mode_, sampler_.length_factor.raw());
+  void operator()(const FootprintBeat<kDefaultConfig>& beat) {
+    const ClampedRadii radii = clamp_radii<kDefaultConfig>(beat, mode_, sampler_.length_factor.raw());
     count(Reach::kMagnified, radii.magnified ? 1 : 0);
-    count(Reach::kWantedProbes, choose_probes<kFull>(radii, mode_, sampler_).probes);
+    count(Reach::kWantedProbes, choose_probes<kDefaultConfig>(radii, mode_, sampler_).probes);
   }
 
-  void operator()(const PlanBeat<kFull>& beat) {
-    const std::int64_t level = beat.level_of_detail.raw() >> kFull.level_fraction_bits;
+  void operator()(const PlanBeat<kDefaultConfig>& beat) {
+    const std::int64_t level = beat.level_of_detail.raw() >> kDefaultConfig.level_fraction_bits;
     count(Reach::kProbes, beat.probes.raw());
     count(Reach::kWeightRow, beat.weight_row.raw());
     count(Reach::kHalfStepBitsS, magnitude_bits(beat.half_step_s.raw()));
     count(Reach::kHalfStepBitsT, magnitude_bits(beat.half_step_t.raw()));
     count(Reach::kLevel, level);
-    count(Reach::kBlended, beat.level_of_detail.raw() == level << kFull.level_fraction_bits ? 0 : 1);
+    count(Reach::kBlended, beat.level_of_detail.raw() == level << kDefaultConfig.level_fraction_bits ? 0 : 1);
     count(Reach::kLinear, beat.linear.raw());
   }
 
-  void operator()(const WalkBeat<kFull>& beat) {
+  void operator()(const WalkBeat<kDefaultConfig>& beat) {
     ++probes_;
     count(Reach::kProbeBitsS, magnitude_bits(beat.s.raw()));
     count(Reach::kProbeBitsT, magnitude_bits(beat.t.raw()));
   }
 
-  void operator()(const AddressBeat<kFull>& beat) {
+  void operator()(const AddressBeat<kDefaultConfig>& beat) {
     int outside = read_level(beat.level.raw(), beat.fine_x, beat.fine_y, beat.fine_border.raw(), beat.fine_line);
     count(Reach::kFineLevel, beat.level.raw());
     if (beat.coarse_used.raw() != 0) {
@@ -88,9 +87,9 @@ class Recorder {
     count(Reach::kBorderTexels, outside);
   }
 
-  void operator()(const FetchBeat<kFull>& beat) { count(Reach::kTranslucent, reads_translucent(beat) ? 1 : 0); }
+  void operator()(const FetchBeat<kDefaultConfig>& beat) { count(Reach::kTranslucent, reads_translucent(beat) ? 1 : 0); }
 
-  void operator()(const AccumulateBeat<kFull>& beat) { count(Reach::kStatus, beat.status.raw()); }
+  void operator()(const AccumulateBeat<kDefaultConfig>& beat) { count(Reach::kStatus, beat.status.raw()); }
 
   // What the unit is given, and colours.
   template <typename Beat>
@@ -134,7 +133,7 @@ class Recorder {
     return outside;
   }
 
-  const SamplerState<kFull>& sampler_;
+  const SamplerState<kDefaultConfig>& sampler_;
   Mode mode_;
   std::uint64_t lookups_ = 0;
   std::uint64_t probes_ = 0;
@@ -145,7 +144,7 @@ class Recorder {
 };
 
 // The sampler state's own, each met by every lookup.
-void count_sampler(Profile& profile, const SamplerState<kFull>& sampler, std::uint64_t lookups) {
+void count_sampler(Profile& profile, const SamplerState<kDefaultConfig>& sampler, std::uint64_t lookups) {
   const auto count = [&](Reach reach, std::int64_t value) {
     std::uint64_t& sum = profile[reach][value];
     sum = saturating_sum(sum, lookups);
@@ -195,7 +194,7 @@ void observe(Profile& profile, const std::string& source, std::span<const Lookup
     const auto part = lookups.subspan(first, std::min(kPart, lookups.size() - first));
     Recorder recorder(sampler, &texture.unread);
     for (const Lookup& lookup : part) {
-      sample<kFull>(make_request<kFull>(lookup, 0), sampler, memory, recorder);
+      sample<kDefaultConfig>(make_request<kDefaultConfig>(lookup, 0), sampler, memory, recorder);
     }
     if (progress != nullptr) progress->advance(part.size());
     const std::scoped_lock lock(mutex);
@@ -207,7 +206,7 @@ Config needed_config(const Lookup& lookup, const SamplerState<kDefaultConfig>& s
   Profile profile;
   count_sampler(profile, sampler, 1);
   Recorder recorder(sampler, nullptr);
-  sample<kFull>(make_request<kFull>(lookup, 0), sampler, memory, recorder);
+  sample<kDefaultConfig>(make_request<kDefaultConfig>(lookup, 0), sampler, memory, recorder);
   recorder.add_to(profile, "");
   return pruned_config(profile);
 }

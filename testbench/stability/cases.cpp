@@ -8,7 +8,7 @@
 namespace feline::stability {
 namespace {
 
-using Gradients = reference::Gradients<double>;
+using RealGradients = reference::Gradients<double>;
 
 double between(SplitMix64& random, double low, double high) { return low + (high - low) * random.unit(); }
 double sign(SplitMix64& random) { return random.chance(0.5) ? -1 : 1; }
@@ -20,7 +20,7 @@ float step(float value, int ulps) {
 int few(SplitMix64& random) { return static_cast<int>(random.below(7)) - 3; }
 
 // Texels of the class' texture to a lookup, rounded to float32.
-Case case_of(SplitMix64& random, const Gradients& texels, std::size_t texture = 0) {
+Case case_of(SplitMix64& random, const RealGradients& texels, std::size_t texture = 0) {
   Case of;
   of.texture = texture;
   const double width = texture_of(of).width();
@@ -32,7 +32,7 @@ Case case_of(SplitMix64& random, const Gradients& texels, std::size_t texture = 
 }
 
 // Radii `major` and `major`/condition, at any angle, mixed by any rotation of the pixel.
-Gradients ellipse(SplitMix64& random, double major, double condition) {
+RealGradients ellipse(SplitMix64& random, double major, double condition) {
   const double angle = between(random, 0, 6.283185307179586);
   const double mix = between(random, 0, 6.283185307179586);
   const double minor = major / condition;
@@ -43,7 +43,7 @@ Gradients ellipse(SplitMix64& random, double major, double condition) {
   return {column(major * std::cos(mix), minor * std::sin(mix)), column(-major * std::sin(mix), minor * std::cos(mix))};
 }
 
-Gradients any_ellipse(SplitMix64& random, double low_log2, double high_log2, double most_condition_log2) {
+RealGradients any_ellipse(SplitMix64& random, double low_log2, double high_log2, double most_condition_log2) {
   return ellipse(random, std::exp2(between(random, low_log2, high_log2)),
                  std::exp2(between(random, 0, most_condition_log2)));
 }
@@ -51,7 +51,7 @@ Gradients any_ellipse(SplitMix64& random, double low_log2, double high_log2, dou
 Case tame(SplitMix64& random) { return case_of(random, any_ellipse(random, -2, 7, 5)); }
 
 Case condition(SplitMix64& random) {
-  Gradients texels = stiff_gradients(random, std::pow(10.0, between(random, 0, 12)));
+  RealGradients texels = stiff_gradients(random, std::pow(10.0, between(random, 0, 12)));
   // Powers of two change no condition.
   const double scale = std::ldexp(1.0, -10 - static_cast<int>(random.below(14)));
   return case_of(random, {scale * texels.x, scale * texels.y});
@@ -101,7 +101,7 @@ Case minification(SplitMix64& random) { return case_of(random, any_ellipse(rando
 
 Case uneven(SplitMix64& random) {
   const auto component = [&] { return sign(random) * std::exp2(between(random, -120, 120)); };
-  Gradients texels{{component(), component()}, {component(), component()}};
+  RealGradients texels{{component(), component()}, {component(), component()}};
   return case_of(random, texels);
 }
 
@@ -184,11 +184,11 @@ Bezout bezout(std::int64_t a, std::int64_t b) {
 
 }  // namespace
 
-Gradients stiff_gradients(SplitMix64& random, double condition) {
+RealGradients stiff_gradients(SplitMix64& random, double condition) {
   constexpr std::int64_t kMost = std::int64_t{1} << 23;
   // Below this, rounding to 24 bits moves the condition by little.
   if (condition < 1000) {
-    const Gradients real = ellipse(random, kMost, condition);
+    const RealGradients real = ellipse(random, kMost, condition);
     const auto rounded = [](const reference::Vector2<double>& v) {
       return reference::Vector2<double>{std::round(v.u), std::round(v.v)};
     };
@@ -211,9 +211,9 @@ Gradients stiff_gradients(SplitMix64& random, double condition) {
   const auto c = static_cast<std::int64_t>(-(product % a));
   const auto d = static_cast<std::int64_t>(static_cast<__int128>(determinant) * solved.x + product / a * b);
   const double flip = sign(random);
-  const Gradients all{{flip * static_cast<double>(a), static_cast<double>(b)},
-                      {flip * static_cast<double>(c), static_cast<double>(d)}};
-  return random.chance(0.5) ? all : Gradients{{all.x.v, all.x.u}, {all.y.v, all.y.u}};
+  const RealGradients all{{flip * static_cast<double>(a), static_cast<double>(b)},
+                          {flip * static_cast<double>(c), static_cast<double>(d)}};
+  return random.chance(0.5) ? all : RealGradients{{all.x.v, all.x.u}, {all.y.v, all.y.u}};
 }
 
 std::span<const CaseClass> case_classes() { return kClasses; }

@@ -8,13 +8,14 @@
 #include <limits>
 
 #include "testbench/progress.h"
+#include "testbench/stability/study_data.h"
 
 namespace feline::stability {
 namespace {
 
 constexpr std::uint64_t kRandomPaths = 40;
 constexpr double kLevelStep = 1.0 / 256;
-constexpr double kNone = std::numeric_limits<double>::infinity();
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 void raise(std::optional<double>& most, const std::optional<double>& error) {
   // A lost value is all of it.
@@ -61,7 +62,7 @@ void add_jump(std::vector<JumpRow>& rows, const std::optional<Subject>& subject,
     row = rows.end() - 1;
     row->subject = subject;
     row->cause = jump.cause;
-    row->bound = kNone;
+    row->bound = kUnbounded;
     // N to N + 1 probes: log2((N + 3/2)/(N + 1)), most from 1 to 2.
     if (!subject) row->bound = std::log2(1.25) * (1 + 1e-6);
     if (subject && is_unit(*subject)) row->bound = unit_jump_bound(*subject == Subject::kUnitTable);
@@ -118,10 +119,6 @@ void run_jumps(Study& study, Progress& progress) {
     return std::pair(row.subject ? static_cast<int>(*row.subject) : -1, static_cast<int>(row.cause));
   });
   std::ranges::sort(study.probe_steps, {}, &ProbeStep::probes);
-}
-
-std::string subject_name(const std::optional<Subject>& subject) {
-  return subject ? std::string(kSubjectNames[static_cast<std::size_t>(*subject)]) : "Feline at 200 bits";
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace feline {
 namespace {
 
-State state_of(int width, int height, Wrap wrap_s, Wrap wrap_t, Mode mode = Mode::kTable) {
+State wrapped_state(int width, int height, Wrap wrap_s, Wrap wrap_t, Mode mode = Mode::kTable) {
   SamplerOptions options;
   options.mode = mode;
   options.wrap_s = wrap_s;
@@ -37,8 +37,8 @@ TEST(group, equals_exact_arithmetic) {
   for (int i = 0; i < 1000000 && !HasFatalFailure(); ++i) {
     const int width = static_cast<int>(random.between(1, 1 << random.between(0, 14)));
     const int height = static_cast<int>(random.between(1, 1 << random.between(0, 14)));
-    const State state = state_of(width, height, static_cast<Wrap>(random.below(4)), static_cast<Wrap>(random.below(4)),
-                                 static_cast<Mode>(random.below(6)));
+    const State state = wrapped_state(width, height, static_cast<Wrap>(random.below(4)),
+                                      static_cast<Wrap>(random.below(4)), static_cast<Mode>(random.below(6)));
     expect_as_oracle(any_lookup(random, width, height), state);
   }
 }
@@ -55,7 +55,7 @@ TEST(group, lattice_of_every_float_class_in_pairs) {
           const Lookup lookup{operand[0], operand[1], operand[2], operand[3], operand[4], operand[5]};
           for (int wrap = 0; wrap < 4; ++wrap) {
             const auto mode = static_cast<Wrap>(wrap);
-            expect_as_oracle(lookup, state_of(16384, 37, mode, static_cast<Wrap>(3 - wrap)));
+            expect_as_oracle(lookup, wrapped_state(16384, 37, mode, static_cast<Wrap>(3 - wrap)));
             if (HasFatalFailure()) return;
           }
         }
@@ -67,7 +67,7 @@ TEST(group, lattice_of_every_float_class_in_pairs) {
 // Feline's modes: half a unit counts, and 127.5 moves the exponent; then all are rounded anew.
 TEST(group, rounds_mantissas_to_nearest) {
   for (const Mode mode : {Mode::kSimple, Mode::kTable}) {
-    const State state = state_of(1, 1, Wrap::kRepeat, Wrap::kRepeat, mode);
+    const State state = wrapped_state(1, 1, Wrap::kRepeat, Wrap::kRepeat, mode);
     const auto below = group_of({0, 0, std::nextafter(127.5F, 0.0F), std::nextafter(2.5F, 0.0F), -2.5F, 0.5F}, state);
     EXPECT_EQ(below.exponent.raw(), 0);
     EXPECT_EQ(below.dudx.raw(), 127);
@@ -85,7 +85,7 @@ TEST(group, rounds_mantissas_to_nearest) {
 
 // The other modes: a unit in the last place beyond a mantissa counts, and 127 + epsilon moves the exponent.
 TEST(group, rounds_mantissas_outward) {
-  const State state = state_of(1, 1, Wrap::kRepeat, Wrap::kRepeat, Mode::kTrilinear);
+  const State state = wrapped_state(1, 1, Wrap::kRepeat, Wrap::kRepeat, Mode::kTrilinear);
   const auto exact = group_of({0, 0, 100, 13, -5, 0}, state);
   EXPECT_EQ(exact.exponent.raw(), 0);
   EXPECT_EQ(exact.dudx.raw(), 100);
@@ -105,7 +105,7 @@ TEST(group, rounds_mantissas_outward) {
 }
 
 TEST(group, unbounded_and_tiny_footprints) {
-  const State state = state_of(256, 256, Wrap::kRepeat, Wrap::kClampToEdge, Mode::kTrilinear);
+  const State state = wrapped_state(256, 256, Wrap::kRepeat, Wrap::kClampToEdge, Mode::kTrilinear);
   for (const auto bits : {0x7f800000U, 0xff800000U, 0x7fc00000U, 0xffffffffU}) {
     for (int operand = 0; operand < 4; ++operand) {
       std::array<float, 4> derivative{0.1F, -0.2F, 0, 1};
@@ -140,8 +140,8 @@ TEST(group, unbounded_and_tiny_footprints) {
 }
 
 TEST(group, coordinates_saturate_wrap_and_round) {
-  const State repeat = state_of(256, 256, Wrap::kRepeat, Wrap::kMirroredRepeat);
-  const State clamp = state_of(256, 256, Wrap::kClampToEdge, Wrap::kClampToBorder);
+  const State repeat = wrapped_state(256, 256, Wrap::kRepeat, Wrap::kMirroredRepeat);
+  const State clamp = wrapped_state(256, 256, Wrap::kClampToEdge, Wrap::kClampToBorder);
   constexpr std::int64_t kOne = 1 << 24;
   const auto s = [](float value, const State& state) { return group_of({value, value, 0, 0, 0, 0}, state).s.raw(); };
   const auto t = [](float value, const State& state) { return group_of({value, value, 0, 0, 0, 0}, state).t.raw(); };

@@ -81,7 +81,7 @@ TEST(invariants, negating_a_gradient_and_swapping_them_change_nothing) {
   const auto scenes = make_scenes(random, Content::kNoise);
   int ties = 0;
   for (int i = 0; i < 1000000; ++i) {
-    const Scene& scene = pick(random, scenes);
+    const TestScene& scene = pick(random, scenes);
     const State state = state_into(random_options(random), scene);
     const Lookup lookup = lookup_into(random, scene);
     const Observation seen = observe(lookup, state, scene);

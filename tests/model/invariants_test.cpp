@@ -57,7 +57,7 @@ void for_each_pair_of_classes(Check check) {
   }
 }
 
-void expect_constant(const Lookup& lookup, const State& state, const Scene& scene) {
+void expect_constant(const Lookup& lookup, const State& state, const TestScene& scene) {
   const Observation seen = observe(lookup, state, scene);
   for (std::size_t c = 0; c < 4; ++c) {
     ASSERT_EQ(seen.low[c], seen.high[c]);
@@ -74,7 +74,7 @@ TEST(invariants, constant_texture_comes_back_exactly) {
   Random random = random_for("model_invariants.constant");
   const auto scenes = make_scenes(random, Content::kConstant);
   for (int i = 0; i < 1000000 && !HasFatalFailure(); ++i) {
-    const Scene& scene = pick(random, scenes);
+    const TestScene& scene = pick(random, scenes);
     expect_constant(lookup_into(random, scene), state_into(options_without_border(random), scene), scene);
   }
 }
@@ -83,12 +83,12 @@ TEST(invariants, constant_texture_lattice) {
   Random random = random_for("model_invariants.constant_lattice");
   const auto scenes = make_scenes(random, Content::kConstant);
   for_each_pair_of_classes([&](const Lookup& lookup) {
-    const Scene& scene = pick(random, scenes);
+    const TestScene& scene = pick(random, scenes);
     expect_constant(lookup, state_into(options_without_border(random), scene), scene);
   });
 }
 
-void expect_bounds_and_status(const Lookup& lookup, const State& state, const Scene& scene, int tag) {
+void expect_bounds_and_status(const Lookup& lookup, const State& state, const TestScene& scene, int tag) {
   const Observation seen = observe(lookup, state, scene, tag);
   const auto where = [&] { return one_line(lookup) + " " + one_line(state) + " " + one_line(seen.pixel); };
   // 2: within the texels touched. 6: count and weights. 7: status, and nobody else's tag.
@@ -115,7 +115,7 @@ TEST(invariants, bounds_weights_and_status) {
   auto scenes = make_scenes(random, Content::kNoise);
   for (auto& scene : make_scenes(random, Content::kExtremes)) scenes.push_back(std::move(scene));
   for (int i = 0; i < 1000000 && !HasFatalFailure(); ++i) {
-    const Scene& scene = pick(random, scenes);
+    const TestScene& scene = pick(random, scenes);
     expect_bounds_and_status(lookup_into(random, scene), state_into(random_options(random), scene), scene, i & 0xffff);
   }
 }
@@ -126,7 +126,7 @@ TEST(invariants, lattice_of_float_classes_leaves_nothing_behind) {
   Random random = random_for("model_invariants.lattice");
   const auto scenes = make_scenes(random, Content::kNoise);
   for_each_pair_of_classes([&](const Lookup& lookup) {
-    const Scene& scene = pick(random, scenes);
+    const TestScene& scene = pick(random, scenes);
     const State state = state_into(random_options(random), scene);
     const Lookup tame = tame_lookup(random, 64, 64);
     const Pixel before = observe(tame, state, scene, 5).pixel;
@@ -142,7 +142,7 @@ TEST(invariants, lattice_of_float_classes_leaves_nothing_behind) {
 // coarsest level.
 TEST(invariants, what_non_finite_operands_read) {
   Random random(3);
-  const Scene scene = make_scene(random, 32, 32, TexelFormat::kR8, false, Content::kNoise);
+  const TestScene scene = make_scene(random, 32, 32, TexelFormat::kR8, false, Content::kNoise);
   SamplerOptions options = plain_options(Mode::kTable);
   const auto red = [&](const Lookup& lookup) {
     return observe(lookup, state_into(options, scene), scene).pixel.colour[0].raw();

@@ -37,7 +37,7 @@ Seen compare_with_full_unit(const char* name) {
   const SeedTrace trace(__FILE__, __LINE__);
   Random random = random_for(name);
   auto scenes = make_scenes(random, Content::kNoise);
-  for (Scene& scene : scenes) {
+  for (TestScene& scene : scenes) {
     // Half of the textures are opaque.
     if (scene.texture.format != TexelFormat::kRgba8 || random.one_in(2)) continue;
     for (MipLevel& level : scene.texture.levels) {
@@ -47,7 +47,7 @@ Seen compare_with_full_unit(const char* name) {
   }
   Seen seen;
   for (int i = 0; i < 100000; ++i) {
-    const Scene& scene = scenes[static_cast<std::size_t>(random.below(static_cast<std::int64_t>(scenes.size())))];
+    const TestScene& scene = scenes[static_cast<std::size_t>(random.below(static_cast<std::int64_t>(scenes.size())))];
     const SamplerOptions options = likely_options<kConfig>(random);
     const auto full = make_sampler<kDefaultConfig>(options, scene.texture, scene.memory);
     const Lookup lookup = any_lookup(random, scene.texture.levels[0].width, scene.texture.levels[0].height);

@@ -20,7 +20,7 @@ TEST(sampler, equals_exact_arithmetic) {
   Random random = random_for("model_sampler.equals_exact_arithmetic");
   const auto scenes = make_scenes(random, Content::kNoise);
   for (int i = 0; i < 100000; ++i) {
-    const Scene& scene = scenes[static_cast<std::size_t>(random.below(static_cast<std::int64_t>(scenes.size())))];
+    const TestScene& scene = scenes[static_cast<std::size_t>(random.below(static_cast<std::int64_t>(scenes.size())))];
     const SamplerOptions options = random_options(random);
     const Texture& texture = scene.texture;
     const State got = make_sampler<kDefaultConfig>(options, texture, scene.memory);
@@ -87,7 +87,7 @@ TEST(sampler, refuses_what_the_machine_cannot_hold) {
                                       {"size", [](auto&, auto& t) { t.levels[0].height = 16385; }}};
   for (const Refusal& refusal : refusals) {
     Random random(1);
-    Scene scene = make_scene(random, 4, 4, TexelFormat::kR8, false, Content::kNoise);
+    TestScene scene = make_scene(random, 4, 4, TexelFormat::kR8, false, Content::kNoise);
     SamplerOptions options;
     refusal.spoil(options, scene.texture);
     try {
@@ -118,7 +118,7 @@ TEST(sampler, border_has_the_channels_of_the_format) {
   SamplerOptions options;
   options.border = {0.2, 0.4, 0.6, 0.8};
   const auto border_of = [&](TexelFormat format) {
-    const Scene scene = make_scene(random, 4, 4, format, false, Content::kNoise);
+    const TestScene scene = make_scene(random, 4, 4, format, false, Content::kNoise);
     const State state = make_sampler<kDefaultConfig>(options, scene.texture, scene.memory);
     std::array<double, 4> border{};
     for (std::size_t c = 0; c < 4; ++c) border[c] = state.border[c].value() / 255;

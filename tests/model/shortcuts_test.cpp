@@ -53,7 +53,7 @@ void expect_same(const Lookup& lookup, const SamplerState<kConfig>& state, const
 
 // Nothing for a texture that the configuration's unit cannot hold.
 template <Config kConfig>
-std::optional<SamplerState<kConfig>> state_of(const SamplerOptions& options, const Scene& scene) {
+std::optional<SamplerState<kConfig>> state_of(const SamplerOptions& options, const TestScene& scene) {
   try {
     return make_sampler<kConfig>(options, scene.texture, scene.memory);
   } catch (const SamplerError&) {
@@ -67,7 +67,7 @@ void expect_same_for_random(std::string_view name, int samplers) {
   Random random = random_for(name);
   const std::vector<Shortcuts> all = choices();
   for (const Content content : {Content::kNoise, Content::kExtremes}) {
-    for (const Scene& scene : make_scenes(random, content)) {
+    for (const TestScene& scene : make_scenes(random, content)) {
       for (int i = 0; i < samplers; ++i) {
         const SamplerOptions options = random_options(random);
         const auto state = state_of<kConfig>(options, scene);
@@ -142,7 +142,7 @@ struct Known {
 TEST(shortcuts, opaque_textures) {
   const SeedTrace trace(__FILE__, __LINE__);
   Random random = random_for("shortcuts.opaque");
-  Scene scene = make_scene(random, 16, 16, TexelFormat::kRgba8, false, Content::kNoise);
+  TestScene scene = make_scene(random, 16, 16, TexelFormat::kRgba8, false, Content::kNoise);
   EXPECT_FALSE(scene.memory.opaque());
   for (MipLevel& level : scene.texture.levels) {
     for (std::size_t i = 3; i < level.texels.size(); i += 4) level.texels[i] = 255;
@@ -203,7 +203,7 @@ TEST(shortcuts, count_what_they_leave_out) {
   for (const Known& known : cases) {
     SCOPED_TRACE(known.name);
     Random random(5);
-    const Scene scene = make_scene(random, 8, 8, known.format, false, Content::kNoise);
+    const TestScene scene = make_scene(random, 8, 8, known.format, false, Content::kNoise);
     const State state = make_sampler<kDefaultConfig>(known.options, scene.texture, scene.memory);
     ShortcutUnit<kDefaultConfig, const TextureMemory> unit(state, scene.memory);
     expect_same<kDefaultConfig>(known.lookup, state, scene.memory, unit);
@@ -254,7 +254,7 @@ TEST(shortcuts, probes_of_weight_0_are_left_out) {
     words[row * kColumns + 1] = 0;
   }
   Random random(6);
-  const Scene scene = make_scene(random, 8, 8, TexelFormat::kRgba8, false, Content::kNoise);
+  const TestScene scene = make_scene(random, 8, 8, TexelFormat::kRgba8, false, Content::kNoise);
   const auto state = make_sampler<kOwn>(plain_options(Mode::kSimple), scene.texture, scene.memory);
   ShortcutUnit<kOwn, const TextureMemory> unit(state, scene.memory);
   expect_same<kOwn>({2.5F / 8, 4.5F / 8, 2.0F / 8, 0, 0, 1.0F / 8}, state, scene.memory, unit);
@@ -266,7 +266,7 @@ TEST(shortcuts, probes_of_weight_0_are_left_out) {
 // A driver of one's own may give a border channels that the texels lack: they are then filtered.
 TEST(shortcuts, border_with_other_channels_than_the_texels) {
   Random random(7);
-  const Scene scene = make_scene(random, 8, 8, TexelFormat::kR8, false, Content::kNoise);
+  const TestScene scene = make_scene(random, 8, 8, TexelFormat::kR8, false, Content::kNoise);
   SamplerOptions options = plain_options(Mode::kTable);
   options.wrap_s = Wrap::kClampToBorder;
   State state = make_sampler<kDefaultConfig>(options, scene.texture, scene.memory);
@@ -292,7 +292,7 @@ struct WatchedMemory {
 
 TEST(shortcuts, lines_of_no_weight_are_not_asked_for) {
   Random random(8);
-  const Scene scene = make_scene(random, 8, 8, TexelFormat::kRgba8, false, Content::kNoise);
+  const TestScene scene = make_scene(random, 8, 8, TexelFormat::kRgba8, false, Content::kNoise);
   const State state = make_sampler<kDefaultConfig>(plain_options(Mode::kSimple), scene.texture, scene.memory);
   WatchedMemory watched{scene.memory};
   ShortcutUnit<kDefaultConfig, WatchedMemory> unit(state, watched);

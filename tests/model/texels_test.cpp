@@ -23,7 +23,7 @@ WalkBeat<kDefaultConfig> random_walk(Random& random, const State& state) {
   return beat;
 }
 
-State state_of(Random& random, const Scene& scene) {
+State state_of(Random& random, const TestScene& scene) {
   return make_sampler<kDefaultConfig>(random_options(random), scene.texture, scene.memory);
 }
 
@@ -34,7 +34,7 @@ TEST(fetch, and_filter_equal_exact_arithmetic) {
   Random random = random_for("model_fetch.and_filter_equal_exact_arithmetic");
   const auto scenes = make_scenes(random, Content::kNoise);
   for (int i = 0; i < 1000000; ++i) {
-    const Scene& scene = scenes[static_cast<std::size_t>(random.below(static_cast<std::int64_t>(scenes.size())))];
+    const TestScene& scene = scenes[static_cast<std::size_t>(random.below(static_cast<std::int64_t>(scenes.size())))];
     const State state = state_of(random, scene);
     const auto addressed = oracle::address(random_walk(random, state), state);
     const auto fetched = fetch<kDefaultConfig>(addressed, state, scene.memory);
@@ -139,7 +139,7 @@ TEST(unit, equals_exact_arithmetic) {
   Random random = random_for("model_unit.equals_exact_arithmetic");
   const auto scenes = make_scenes(random, Content::kNoise);
   for (int i = 0; i < 300000; ++i) {
-    const Scene& scene = scenes[static_cast<std::size_t>(random.below(static_cast<std::int64_t>(scenes.size())))];
+    const TestScene& scene = scenes[static_cast<std::size_t>(random.below(static_cast<std::int64_t>(scenes.size())))];
     const State state = state_of(random, scene);
     const auto request = make_request<kDefaultConfig>(
         any_lookup(random, scene.texture.levels[0].width, scene.texture.levels[0].height), i);

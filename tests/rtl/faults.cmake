@@ -73,4 +73,4 @@ target_include_directories(feline_faulty PUBLIC ${FAULTY_DIR})
 # The program with a fault in its RTL. Its own units come before those of the bench's libraries.
 add_executable(feline_broken testbench/program/main.cpp tests/rtl/broken_units.cpp)
 target_compile_options(feline_broken PRIVATE ${FELINE_WARNINGS})
-target_link_libraries(feline_broken PRIVATE feline_bench feline_faulty)
+target_link_libraries(feline_broken PRIVATE feline_program feline_faulty)

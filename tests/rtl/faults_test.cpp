@@ -31,7 +31,7 @@ std::string stage_of_message(const std::string& message) {
 }
 
 // The range behind --replay.
-std::optional<ReplayRange> replay_of(const std::string& message) {
+std::optional<ReplayRange> range_of(const std::string& message) {
   const std::size_t at = message.find("--replay ");
   if (at == std::string::npos) return std::nullopt;
   ReplayRange range;
@@ -54,7 +54,7 @@ class FaultTest : public testing::Test {
     const CosimResult result = run_job(job, make_faulty_unit, {}, std::nullopt, false, nullptr);
     ASSERT_EQ(result.mismatches, 1U) << fault_.what << " was not caught";
     EXPECT_EQ(stage_of_message(result.message), fault_.stage) << result.message;
-    const auto replay = replay_of(result.message);
+    const auto replay = range_of(result.message);
     ASSERT_TRUE(replay) << result.message;
     const CosimResult again = run_job(job, make_faulty_unit, {}, replay, false, nullptr);
     ASSERT_EQ(again.mismatches, 1U) << result.message;

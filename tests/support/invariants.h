@@ -53,7 +53,7 @@ struct Observation {
   bool coarse_used_ = false;
 };
 
-inline Observation observe(const Lookup& lookup, const State& state, const Scene& scene, std::int64_t tag = 0) {
+inline Observation observe(const Lookup& lookup, const State& state, const TestScene& scene, std::int64_t tag = 0) {
   Observation seen;
   sample<kDefaultConfig>(make_request<kDefaultConfig>(lookup, tag), state, scene.memory, seen);
   return seen;
@@ -68,15 +68,15 @@ inline std::int64_t level_before_clamps(const FootprintBeat<kDefaultConfig>& foo
   return level_of_radius<kDefaultConfig>(fitted, footprint.exponent.raw()).raw();
 }
 
-inline const Scene& pick(Random& random, const std::vector<Scene>& scenes) {
+inline const TestScene& pick(Random& random, const std::vector<TestScene>& scenes) {
   return scenes[static_cast<std::size_t>(random.below(static_cast<std::int64_t>(scenes.size())))];
 }
 
-inline Lookup lookup_into(Random& random, const Scene& scene) {
+inline Lookup lookup_into(Random& random, const TestScene& scene) {
   return any_lookup(random, scene.texture.levels[0].width, scene.texture.levels[0].height);
 }
 
-inline State state_into(const SamplerOptions& options, const Scene& scene) {
+inline State state_into(const SamplerOptions& options, const TestScene& scene) {
   return make_sampler<kDefaultConfig>(options, scene.texture, scene.memory);
 }
 

@@ -29,6 +29,12 @@ Wide ceil_of(const Rational& x);
 Wide nearest_up(const Rational& x);    // ties towards plus infinity
 Wide nearest_away(const Rational& x);  // ties away from zero
 
+// Gives a field its raw value.
+template <typename T>
+void set(T& field, Wide raw) {
+  field = T::from_raw(static_cast<std::int64_t>(raw));
+}
+
 using State = SamplerState<kDefaultConfig>;
 using Request = RequestBeat<kDefaultConfig>;
 using Group = GroupBeat<kDefaultConfig>;

@@ -71,11 +71,6 @@ std::size_t step_of(Wide part, Wide whole, int steps) {
   return static_cast<std::size_t>(step);
 }
 
-template <typename T>
-void set(T& field, Wide raw) {
-  field = T::from_raw(static_cast<std::int64_t>(raw));
-}
-
 }  // namespace
 
 Wide floor_of(const Rational& x) {

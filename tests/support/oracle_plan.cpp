@@ -8,11 +8,6 @@
 namespace feline::oracle {
 namespace {
 
-template <typename T>
-void set(T& field, Wide raw) {
-  field = T::from_raw(static_cast<std::int64_t>(raw));
-}
-
 Rational times(const Rational& x, Wide numerator, Wide denominator = 1) {
   return {x.numerator * numerator, x.denominator * denominator};
 }

@@ -9,11 +9,6 @@ namespace {
 
 constexpr Wide kTexture = Wide{1} << 24;
 
-template <typename T>
-void set(T& field, Wide raw) {
-  field = T::from_raw(static_cast<std::int64_t>(raw));
-}
-
 Wide modulo(Wide value, Wide turn) { return value - turn * floor_of({value, turn}); }
 
 struct Axis {

@@ -16,15 +16,15 @@ using State = SamplerState<kDefaultConfig>;
 enum class Content { kNoise, kConstant, kExtremes };
 
 // A texture and what the unit reads of it.
-struct Scene {
+struct TestScene {
   Texture texture;
   TextureMemory memory;
 };
 
 // A full chain, or its first `levels`, of random texels.
-inline Scene make_scene(Random& random, int width, int height, TexelFormat format, bool srgb, Content content,
-                        int levels = 16) {
-  Scene scene;
+inline TestScene make_scene(Random& random, int width, int height, TexelFormat format, bool srgb, Content content,
+                            int levels = 16) {
+  TestScene scene;
   scene.texture.format = format;
   scene.texture.srgb = srgb;
   std::array<std::uint8_t, 4> constant{};
@@ -69,8 +69,8 @@ inline constexpr std::array<std::array<int, 2>, 18> kShapes{{{1, 1},
                                                              {8, 200}}};
 
 // Every shape in every format, linear and sRGB by turns, one in three without its coarsest levels.
-inline std::vector<Scene> make_scenes(Random& random, Content content) {
-  std::vector<Scene> scenes;
+inline std::vector<TestScene> make_scenes(Random& random, Content content) {
+  std::vector<TestScene> scenes;
   for (const auto& [width, height] : kShapes) {
     for (const auto format : {TexelFormat::kR8, TexelFormat::kRg8, TexelFormat::kRgba8}) {
       const int levels = random.one_in(3) ? static_cast<int>(random.between(1, 4)) : 16;

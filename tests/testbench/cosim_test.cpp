@@ -32,7 +32,7 @@ struct Case {
   }
 };
 
-CosimResult run(const Case& subject, const SamplerOptions& options, const Timing& timing = {5, 0.2, 1}) {
+CosimResult run_case(const Case& subject, const SamplerOptions& options, const Timing& timing = {5, 0.2, 1}) {
   CosimResult result = run_job(subject.job(options, timing), make_fast_unit, {}, std::nullopt, true, nullptr);
   EXPECT_EQ(result.mismatches, 0U) << result.message;
   EXPECT_EQ(result.lookups, subject.lookups.size());
@@ -81,7 +81,7 @@ TEST(cosim, every_scene_mode_kernel_and_wrap) {
       options.wrap_s = static_cast<Wrap>(choice % 4);
       options.wrap_t = static_cast<Wrap>((choice + 1) % 4);
       SCOPED_TRACE(std::string(scene.name) + ", choice " + std::to_string(choice));
-      run(subject, options);
+      run_case(subject, options);
     }
   }
 }
@@ -98,7 +98,7 @@ TEST(cosim, every_size_format_and_wrap) {
       options.wrap_t = static_cast<Wrap>(choice / 3);
       options.border = {0.25, 1, 0, 0.5};
       SCOPED_TRACE(std::to_string(width) + " x " + std::to_string(height) + ", choice " + std::to_string(choice));
-      run(subject, options);
+      run_case(subject, options);
     }
   }
 }
@@ -114,7 +114,7 @@ TEST(cosim, parameter_sets_bias_and_level_limits) {
       options.min_level = max_probes == 2 ? 1.5 : 0;
       options.max_level = max_probes == 7 ? 2.25 : 15;
       options.magnify = max_probes == 1 ? Magnify::kNearest : Magnify::kLinear;
-      run(subject, options);
+      run_case(subject, options);
     }
   }
 }
@@ -184,12 +184,12 @@ TEST(cosim, every_stage_keeps_its_pace) {
 
 TEST(cosim, timing_changes_no_pixel) {
   const Case subject = scene_case(find_scene("window"), 24, 16);
-  const CosimResult quick = run(subject, {}, {1, 0, 1});
-  const CosimResult slow = run(subject, {}, {200, 0.5, 99});
+  const CosimResult quick = run_case(subject, {}, {1, 0, 1});
+  const CosimResult slow = run_case(subject, {}, {200, 0.5, 99});
   ASSERT_EQ(quick.pixels.size(), slow.pixels.size());
   for (std::size_t i = 0; i < quick.pixels.size(); ++i) EXPECT_EQ(quick.pixels[i].colour, slow.pixels[i].colour);
   EXPECT_GT(slow.cycles, 2 * quick.cycles);
-  EXPECT_EQ(quick.cycles, run(subject, {}, {1, 0, 1}).cycles) << "the same run twice takes the same cycles";
+  EXPECT_EQ(quick.cycles, run_case(subject, {}, {1, 0, 1}).cycles) << "the same run twice takes the same cycles";
 }
 
 TEST(cosim, one_probe_a_cycle_when_lines_hit) {
@@ -200,7 +200,7 @@ TEST(cosim, one_probe_a_cycle_when_lines_hit) {
   for (auto& lookup : subject.lookups) lookup.t = std::abs(lookup.t) / 8 + 0.25F;
   SamplerOptions options;
   options.max_level = 1;
-  const CosimResult result = run(subject, options, {1, 0, 1});
+  const CosimResult result = run_case(subject, options, {1, 0, 1});
   constexpr std::uint64_t kFillAndMisses = 400;
   EXPECT_LE(result.cycles, result.probes + kFillAndMisses);
 }
@@ -211,7 +211,7 @@ TEST(cosim, replay_is_the_lookup_alone) {
       run_job(subject.job({}, {1, 0, 1}), make_fast_unit, {}, ReplayRange{37, 39}, true, nullptr);
   EXPECT_EQ(result.mismatches, 0U);
   ASSERT_EQ(result.pixels.size(), 3U);
-  const CosimResult all = run(subject, {});
+  const CosimResult all = run_case(subject, {});
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(result.pixels[i].colour, all.pixels[37 + i].colour);
 }
 

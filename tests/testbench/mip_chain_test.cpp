@@ -21,7 +21,7 @@ using Texels = std::vector<std::uint8_t>;
 
 constexpr std::array kFilters = {MipFilter::kLanczos, MipFilter::kBox};
 constexpr std::array kEdges = {MipEdge::kClamp, MipEdge::kRepeat};
-constexpr std::array<std::pair<int, int>, 9> kSizes = {
+constexpr std::array<std::pair<int, int>, 9> kChainSizes = {
     {{1, 1}, {2, 1}, {1, 17}, {5, 1}, {3, 3}, {16, 16}, {37, 10}, {60, 84}, {255, 2}}};
 
 MipLevel random_level(int width, int height, int channels, unsigned seed) {
@@ -32,7 +32,7 @@ MipLevel random_level(int width, int height, int channels, unsigned seed) {
 }
 
 TEST(mip_chain, sizes_go_down_to_one) {
-  for (const auto& [width, height] : kSizes) {
+  for (const auto& [width, height] : kChainSizes) {
     for (const MipFilter filter : kFilters) {
       for (const MipEdge edge : kEdges) {
         const auto levels = build_mip_chain(random_level(width, height, 2, 1), 2, filter, false, edge);
@@ -57,7 +57,7 @@ TEST(mip_chain, level_zero_is_untouched) {
 
 // Every value, every format, both filters, both edges, linear and sRGB.
 TEST(mip_chain, constant_stays_constant) {
-  for (const auto& [width, height] : kSizes) {
+  for (const auto& [width, height] : kChainSizes) {
     for (int value = 0; value < 256; value += width == 37 ? 1 : 51) {
       for (const MipFilter filter : kFilters) {
         for (const MipEdge edge : kEdges) {

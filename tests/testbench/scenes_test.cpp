@@ -19,7 +19,7 @@
 namespace feline {
 namespace {
 
-constexpr std::array<std::string_view, 15> kNames = {
+constexpr std::array<std::string_view, 15> kSceneNames = {
     "bricks", "curves", "text",      "checkerboard", "runway_steep", "runway_middle", "runway", "runway_low",
     "window", "sphere", "reflector", "magnify",      "repeat",       "tessellated",   "spin"};
 
@@ -33,10 +33,10 @@ std::vector<Scene> all_stills() {
 }
 
 TEST(scenes, names_and_lookup) {
-  ASSERT_EQ(scenes().size(), kNames.size());
-  for (std::size_t i = 0; i < kNames.size(); ++i) {
-    EXPECT_EQ(scenes()[i].name, kNames[i]);
-    EXPECT_EQ(&find_scene(kNames[i]), &scenes()[i]);
+  ASSERT_EQ(scenes().size(), kSceneNames.size());
+  for (std::size_t i = 0; i < kSceneNames.size(); ++i) {
+    EXPECT_EQ(scenes()[i].name, kSceneNames[i]);
+    EXPECT_EQ(&find_scene(kSceneNames[i]), &scenes()[i]);
     EXPECT_FALSE(scenes()[i].description.empty());
   }
   EXPECT_EQ(input_error([] { find_scene("brick"); }),

@@ -10,7 +10,7 @@
 namespace feline {
 namespace {
 
-constexpr int kSide = 24;
+constexpr int kCellSide = 24;
 constexpr Focus kFocus{{2, 3, 8}, {0, 0, 12}};
 
 struct Measured {
@@ -19,7 +19,7 @@ struct Measured {
 };
 
 Measured measured(std::string_view name) {
-  Measured made{plan_exhibit(small_scene(name), kSide, kSide).build(), {}};
+  Measured made{plan_exhibit(small_scene(name), kCellSide, kCellSide).build(), {}};
   for (const View& view : made.exhibit.frames) made.truths.push_back(compute_truth(view, 3, 1, nullptr));
   return made;
 }
@@ -39,7 +39,7 @@ TEST(measure_cell, of_a_still) {
                    compare(rendering.picture, made.truths[0].gaussian, 4).mean_square);
   EXPECT_FALSE(cell.gaussian.shimmer);
   EXPECT_FALSE(cell.rtl_cycles);
-  EXPECT_DOUBLE_EQ(cell.cost.texels, rendering.cost.texels / (kSide * kSide));
+  EXPECT_DOUBLE_EQ(cell.cost.texels, rendering.cost.texels / (kCellSide * kCellSide));
   EXPECT_EQ(cell.cost.probes, 1);
 }
 

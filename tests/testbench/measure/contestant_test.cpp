@@ -13,11 +13,11 @@
 namespace feline {
 namespace {
 
-constexpr int kSide = 12;
+constexpr int kContestantSide = 12;
 
 struct Shown {
-  explicit Shown(std::string_view scene, const reference::Wrapping& wrapping = {}, int width = kSide,
-                 int height = kSide)
+  explicit Shown(std::string_view scene, const reference::Wrapping& wrapping = {}, int width = kContestantSide,
+                 int height = kContestantSide)
       : surface(make_surface(small_scene(scene).texture(), wrapping, MipEdge::kRepeat)),
         view(make_view(small_scene(scene), surface, width, height)) {}
   Surface surface;
@@ -59,7 +59,7 @@ TEST(measure_contestant, the_unit_is_the_model_lookup_by_lookup) {
     SCOPED_TRACE(contestant.name);
     const auto sampler = sampler_of(*contestant.sampler, shown.surface);
     const Rendering rendering = contestant.render(shown.view, nullptr);
-    ASSERT_EQ(rendering.picture.pixels.size(), std::size_t{kSide * kSide});
+    ASSERT_EQ(rendering.picture.pixels.size(), std::size_t{kContestantSide * kContestantSide});
     double probes = 0;
     for (std::size_t i = 0; i < rendering.picture.pixels.size(); ++i) {
       double own = 0;
@@ -84,7 +84,7 @@ TEST(measure_contestant, the_unit_is_the_model_lookup_by_lookup) {
 TEST(measure_contestant, texels_of_the_plain_modes) {
   const Shown shown("spin");
   const auto texels = [&](const char* name) {
-    return find_contestant(name)->render(shown.view, nullptr).cost.texels / (kSide * kSide);
+    return find_contestant(name)->render(shown.view, nullptr).cost.texels / (kContestantSide * kContestantSide);
   };
   EXPECT_EQ(texels("unit_nearest"), 1);
   EXPECT_EQ(texels("unit_bilinear"), 4);
@@ -108,8 +108,8 @@ TEST(measure_contestant, every_one_has_a_picture_and_its_costs) {
     const bool told = contestant.kind != Contestant::Kind::kLibrary;
     EXPECT_EQ(rendering.probes.empty(), !told);
     EXPECT_EQ(rendering.cost.probes > 0, told);
-    EXPECT_EQ(rendering.cost.texels >= kSide * kSide, told);
-    EXPECT_EQ(rendering.cost.cycles >= kSide * kSide, told);
+    EXPECT_EQ(rendering.cost.texels >= kContestantSide * kContestantSide, told);
+    EXPECT_EQ(rendering.cost.cycles >= kContestantSide * kContestantSide, told);
     EXPECT_GE(rendering.cost.stamp_cycles, rendering.cost.cycles);
     double sum = 0;
     for (const float probes : rendering.probes) sum += static_cast<double>(probes);

@@ -8,7 +8,7 @@
 namespace feline {
 namespace {
 
-constexpr int kSide = 64;
+constexpr int kPerceptionSide = 64;
 
 template <typename ValueOf>
 FloatPicture picture_of(int width, int height, ValueOf value_of) {
@@ -22,7 +22,7 @@ FloatPicture picture_of(int width, int height, ValueOf value_of) {
   return picture;
 }
 
-FloatPicture grey(double value, int width = kSide, int height = kSide) {
+FloatPicture grey(double value, int width = kPerceptionSide, int height = kPerceptionSide) {
   return picture_of(width, height, [=](int, int) { return value; });
 }
 
@@ -74,11 +74,12 @@ TEST(measure_perception, patterns_hide_errors) {
   };
   const auto ripple = [](int column, int row) { return (column + row) % 2 == 0 ? 0.02 : -0.02; };
   const auto busy = [&](int column, int row) { return 0.3 + 0.4 * noise(column, row); };
-  const double on_even =
-      codes(picture_of(kSide, kSide, [&](int column, int row) { return 0.5 + ripple(column, row); }), grey(0.5));
-  const double on_busy =
-      codes(picture_of(kSide, kSide, [&](int column, int row) { return busy(column, row) + ripple(column, row); }),
-            picture_of(kSide, kSide, busy));
+  const double on_even = codes(
+      picture_of(kPerceptionSide, kPerceptionSide, [&](int column, int row) { return 0.5 + ripple(column, row); }),
+      grey(0.5));
+  const double on_busy = codes(picture_of(kPerceptionSide, kPerceptionSide,
+                                          [&](int column, int row) { return busy(column, row) + ripple(column, row); }),
+                               picture_of(kPerceptionSide, kPerceptionSide, busy));
   EXPECT_LT(on_busy, on_even);
 }
 

@@ -11,14 +11,15 @@
 namespace feline {
 namespace {
 
-constexpr int kSide = 32;
-constexpr int kStrata = 4;
+constexpr int kSurveySide = 32;
+constexpr int kSurveyStrata = 4;
 
 SurveyOptions options_of(const std::vector<std::string>& scenes, const std::vector<std::string>& filters) {
   SurveyOptions options;
-  for (const std::string& name : scenes) options.exhibits.push_back(plan_exhibit(small_scene(name), kSide, kSide));
+  for (const std::string& name : scenes)
+    options.exhibits.push_back(plan_exhibit(small_scene(name), kSurveySide, kSurveySide));
   for (const std::string& name : filters) options.contestants.push_back(find_contestant(name));
-  options.strata = kStrata;
+  options.strata = kSurveyStrata;
   return options;
 }
 
@@ -68,7 +69,7 @@ TEST(measure_survey, goes_on_from_its_cache) {
     EXPECT_TRUE(result.cells[1].rtl_cycles);
     EXPECT_FALSE(result.cells[0].rtl_cycles);
     EXPECT_EQ(result.splits.size(), 2U);
-    EXPECT_EQ(result.truth->samples, 2 * kStrata * kStrata);
+    EXPECT_EQ(result.truth->samples, 2 * kSurveyStrata * kSurveyStrata);
     // A sequence shimmers, a still cannot.
     for (const Cell& cell : result.cells) {
       EXPECT_EQ(cell.gaussian.shimmer.has_value(), result.plan.name == "spin");
@@ -104,7 +105,7 @@ TEST(measure_survey, only_what_is_new_is_measured) {
   EXPECT_NE(run_survey(other, cache).results[0].cells[0].gaussian.errors.mean_square,
             one.results[0].cells[0].gaussian.errors.mean_square);
   other.seed = 1;
-  other.strata = kStrata + 1;
+  other.strata = kSurveyStrata + 1;
   EXPECT_NE(run_survey(other, cache).results[0].truth->samples, one.results[0].truth->samples);
 }
 
@@ -151,15 +152,15 @@ TEST(measure_survey, one_channel_has_its_own_error) {
   const TempDir dir;
   const Cache cache(dir / "cache");
   for (const char* const name : {"text", "bricks"}) {
-    const ExhibitPlan plan = plan_exhibit(small_scene(name), kSide, kSide);
+    const ExhibitPlan plan = plan_exhibit(small_scene(name), kSurveySide, kSurveySide);
     const Exhibit exhibit = plan.build();
-    const Truth truth = compute_truth(exhibit.frames[0], kStrata, 1, nullptr);
+    const Truth truth = compute_truth(exhibit.frames[0], kSurveyStrata, 1, nullptr);
     const double share = exhibit.channels() == 1 ? std::sqrt(3) : 1;
     const TruthFacts facts = run_survey(options_of({name}, {}), cache).results[0].truth.value();
     EXPECT_NEAR(facts.gaussian_error, share * truth.gaussian_error, 1e-12) << name;
     EXPECT_NEAR(facts.box_error, share * truth.box_error, 1e-12) << name;
-    EXPECT_EQ(facts.focus.detail.size, kSide);
-    EXPECT_EQ(facts.focus.quarter.size, kSide / 2);
+    EXPECT_EQ(facts.focus.detail.size, kSurveySide);
+    EXPECT_EQ(facts.focus.quarter.size, kSurveySide / 2);
   }
 }
 

@@ -15,14 +15,14 @@ namespace feline {
 namespace {
 
 constexpr int kStrata = 8;
-constexpr int kSide = 16;
+constexpr int kTruthSide = 16;
 constexpr double kPi = std::numbers::pi;
 
 // Leaning on each other, five to one.
 constexpr Affine kSlanted{100, 90, 3.1, 1.3, -1.7, 0.9};
 
 Truth truth_of(const reference::MipMap& map, const Affine& affine, std::uint64_t seed = 1, int strata = kStrata) {
-  return compute_truth(map, affine.on(map), kSide, kSide, strata, seed, nullptr);
+  return compute_truth(map, affine.on(map), kTruthSide, kTruthSide, strata, seed, nullptr);
 }
 
 // Checks both pictures by their root mean square and worst error, in units of the error that the truth claims.
@@ -82,7 +82,7 @@ TEST(measure_truth, a_constant_stays) {
   const reference::MipMap map{{{2, 2, std::vector<reference::Texel>(4, {0.25F, 0.5F, 0.7F, 0.9F})}}, {}};
   const Truth truth = truth_of(map, kSlanted);
   for (const FloatPicture& picture : {truth.gaussian, truth.box}) {
-    ASSERT_EQ(picture.pixels.size(), static_cast<std::size_t>(kSide * kSide));
+    ASSERT_EQ(picture.pixels.size(), static_cast<std::size_t>(kTruthSide * kTruthSide));
     for (const auto& pixel : picture.pixels) {
       for (std::size_t c = 0; c < 4; ++c) EXPECT_NEAR(pixel[c], map.base().texels[0][c], 1e-7);
     }
@@ -168,7 +168,7 @@ TEST(measure_truth, perspective_is_projected_point_by_point) {
 // Two truths with samples of their own are the square root of 2 farther apart than each is from what both mean.
 TEST(measure_truth, its_error_is_honest) {
   const reference::MipMap map = noise_map(32, 7);
-  const GBuffer gbuffer = kSlanted.gbuffer(map, kSide, kSide);
+  const GBuffer gbuffer = kSlanted.gbuffer(map, kTruthSide, kTruthSide);
   for (const bool projected : {true, false}) {
     const auto make = [&](std::uint64_t seed) {
       return projected ? truth_of(map, kSlanted, seed) : compute_truth(map, gbuffer, kStrata, seed, nullptr);
@@ -192,7 +192,7 @@ TEST(measure_truth, more_samples_less_error) {
 TEST(measure_truth, a_gbuffer_is_an_affine_projection) {
   const reference::MipMap map = noise_map(32, 9);
   const Truth projected = truth_of(map, kSlanted, 1, 16);
-  const Truth stored = compute_truth(map, kSlanted.gbuffer(map, kSide, kSide), 16, 1, nullptr);
+  const Truth stored = compute_truth(map, kSlanted.gbuffer(map, kTruthSide, kTruthSide), 16, 1, nullptr);
   const double gaussian_error = std::hypot(projected.gaussian_error, stored.gaussian_error);
   const double box_error = std::hypot(projected.box_error, stored.box_error);
   EXPECT_NEAR(rms_between(projected.gaussian, stored.gaussian) / gaussian_error, 1, 0.25);
@@ -204,11 +204,11 @@ TEST(measure_truth, a_gbuffer_is_an_affine_projection) {
 
 TEST(measure_truth, threads_change_nothing) {
   const reference::MipMap map = noise_map(32, 11);
-  const GBuffer gbuffer = kSlanted.gbuffer(map, kSide, 2 * kSide + 3);
+  const GBuffer gbuffer = kSlanted.gbuffer(map, kTruthSide, 2 * kTruthSide + 3);
   std::vector<std::string> made;
   for (const int threads : {1, 2, 4}) {
     OIIO::attribute("threads", threads);
-    made.push_back(to_bytes(compute_truth(map, kSlanted.on(map), kSide, 2 * kSide + 3, 4, 3, nullptr)) +
+    made.push_back(to_bytes(compute_truth(map, kSlanted.on(map), kTruthSide, 2 * kTruthSide + 3, 4, 3, nullptr)) +
                    to_bytes(compute_truth(map, gbuffer, 4, 3, nullptr)));
   }
   OIIO::attribute("threads", 0);

@@ -26,7 +26,7 @@ const Certificate& certificate() {
   return read;
 }
 
-const Leaf& leaf_of(const std::string& name) { return *std::ranges::find(all_leaves(), name, &Leaf::name); }
+const Leaf& named_leaf(const std::string& name) { return *std::ranges::find(all_leaves(), name, &Leaf::name); }
 
 // The four errors of a footprint, at 200 bits: by the sides' singular values, from their sum and product.
 std::array<Real, 4> ellipse_errors(const Footprint::Inputs& in, const Footprint::Outputs& out) {
@@ -55,7 +55,7 @@ std::array<Real, 4> ellipse_errors(const Footprint::Inputs& in, const Footprint:
 
 TEST(prove_errors, the_worst_footprints_are_so_at_200_bits) {
   for (const char* const name : {"footprint.simple", "footprint.table", "footprint.ext"}) {
-    const Leaf& leaf = leaf_of(name);
+    const Leaf& leaf = named_leaf(name);
     const LeafCertificate& proved = certificate().leaves.at(name);
     ASSERT_EQ(proved.worst.size(), 4U);
     for (std::size_t k = 0; k < 4; ++k) {
@@ -76,7 +76,7 @@ TEST(prove_errors, the_readme_tells_those_of_the_certificate) {
   const std::string readme{std::istreambuf_iterator<char>(file), {}};
   for (const auto& [mode, name] :
        {std::pair{"Simple", "footprint.simple"}, {"Table", "footprint.table"}, {"EXT", "footprint.ext"}}) {
-    const Leaf& leaf = leaf_of(name);
+    const Leaf& leaf = named_leaf(name);
     const LeafCertificate& proved = certificate().leaves.at(name);
     std::string row = fmt::format("| {} |", mode);
     for (std::size_t k = 0; k < 4; ++k) {
@@ -92,7 +92,7 @@ TEST(prove_errors, the_readme_tells_those_of_the_certificate) {
     EXPECT_NE(readme.find(row), std::string::npos) << row;
   }
   const auto worst = [](const char* name) {
-    return leaf_of(name).quantities[0].present(certificate().leaves.at(name).worst[0].value);
+    return named_leaf(name).quantities[0].present(certificate().leaves.at(name).worst[0].value);
   };
   const std::string rest = fmt::format(
       "The level of detail of a radius is within {:.5f} octave, a weight within {:.5f} of its row's own, a Gaussian "

@@ -14,7 +14,7 @@
 namespace feline {
 namespace {
 
-constexpr int kSide = 256;
+constexpr int kProfileSide = 256;
 
 SamplerOptions in_mode(Mode mode, Wrap wrap = Wrap::kRepeat) {
   SamplerOptions options;
@@ -28,8 +28,9 @@ Histogram once(std::int64_t value, std::uint64_t count = 1) { return {{value, co
 // The README's example: (13, 0), (12, 5) texels a pixel. Mantissas are eighths of a texel. Lengths 13312 and 13264 of
 // 1/128 are row 15 of 16; cross and dot product 4160 and 9984 are column 3 of the lower 8.
 TEST(profile, one_lookup_through_the_table) {
-  const TestTexture test(flat_texture(kSide, kSide));
-  const Profile profile = test.profile({TexelLookup{40.5, 80.5, 13, 0, 12, 5}.in(kSide, kSide)}, in_mode(Mode::kTable));
+  const TestTexture test(flat_texture(kProfileSide, kProfileSide));
+  const Profile profile =
+      test.profile({TexelLookup{40.5, 80.5, 13, 0, 12, 5}.in(kProfileSide, kProfileSide)}, in_mode(Mode::kTable));
   EXPECT_EQ(profile.lookups, 1U);
   EXPECT_EQ(profile.probes, 9U);
   EXPECT_EQ(profile.frames(), 1U);
@@ -49,18 +50,18 @@ TEST(profile, one_lookup_through_the_table) {
   EXPECT_EQ(profile[Reach::kTranslucent], once(0, 9));
   EXPECT_EQ(profile[Reach::kStatus], once(0));
   EXPECT_EQ(profile[Reach::kMode], once(static_cast<std::int64_t>(Mode::kTable)));
-  EXPECT_EQ(profile[Reach::kWidth], once(kSide));
+  EXPECT_EQ(profile[Reach::kWidth], once(kProfileSide));
   EXPECT_EQ(profile[Reach::kPowerOfTwo], once(1));
   EXPECT_EQ(profile[Reach::kLastLevel], once(8));
 }
 
 // Without the table no cell is reached; the footprint of one texel is level 0 itself and of half a texel magnified.
 TEST(profile, isotropic_lookups) {
-  const TestTexture test(flat_texture(kSide, kSide));
-  const Profile profile = test.profile(
-      {TexelLookup{40.5, 80.5, 1, 0, 0, 1}.in(kSide, kSide), TexelLookup{40.5, 80.5, 0.5, 0, 0, 0.5}.in(kSide, kSide),
-       TexelLookup{40.5, 80.5, 4, 0, 0, 4}.in(kSide, kSide)},
-      in_mode(Mode::kTrilinear));
+  const TestTexture test(flat_texture(kProfileSide, kProfileSide));
+  const Profile profile = test.profile({TexelLookup{40.5, 80.5, 1, 0, 0, 1}.in(kProfileSide, kProfileSide),
+                                        TexelLookup{40.5, 80.5, 0.5, 0, 0, 0.5}.in(kProfileSide, kProfileSide),
+                                        TexelLookup{40.5, 80.5, 4, 0, 0, 4}.in(kProfileSide, kProfileSide)},
+                                       in_mode(Mode::kTrilinear));
   EXPECT_EQ(profile.probes, 3U);
   EXPECT_TRUE(profile[Reach::kCell].empty());
   EXPECT_EQ(profile[Reach::kExponent], (Histogram{{-7, 1}, {-6, 1}, {-4, 1}}));
@@ -77,10 +78,11 @@ TEST(profile, isotropic_lookups) {
 
 // Texels (10, 2) to (11, 3) lie in the third tile; (15, 2) to (16, 3) in the fourth and fifth.
 TEST(profile, memory_lines) {
-  const TestTexture test(flat_texture(kSide, kSide));
+  const TestTexture test(flat_texture(kProfileSide, kProfileSide));
   Profile profile;
   const auto look = [&](double u, double v) {
-    test.observe_in(profile, {TexelLookup{u, v, 0.5, 0, 0, 0.5}.in(kSide, kSide)}, in_mode(Mode::kBilinear));
+    test.observe_in(profile, {TexelLookup{u, v, 0.5, 0, 0, 0.5}.in(kProfileSide, kProfileSide)},
+                    in_mode(Mode::kBilinear));
   };
   look(10.5, 2.5);
   const TextureUse& use = test.use_in(profile);
@@ -127,7 +129,7 @@ TEST(profile, textures_are_told_apart) {
 }
 
 TEST(profile, exception_classes) {
-  const TestTexture test(flat_texture(kSide, kSide));
+  const TestTexture test(flat_texture(kProfileSide, kProfileSide));
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   const Profile profile = test.profile({{kNan, 0.5F, 0, 0, 0, 0},
@@ -146,13 +148,13 @@ TEST(profile, exception_classes) {
 }
 
 TEST(profile, borders_and_alpha) {
-  const TestTexture opaque(flat_texture(kSide, kSide));
+  const TestTexture opaque(flat_texture(kProfileSide, kProfileSide));
   SamplerOptions options = in_mode(Mode::kBilinear, Wrap::kClampToBorder);
   options.wrap_t = Wrap::kRepeat;
   // Wholly outside; across the left edge; inside.
-  const std::vector<Lookup> lookups{TexelLookup{-20, 10.5, 0, 0, 0, 0}.in(kSide, kSide),
-                                    TexelLookup{0, 10.5, 0, 0, 0, 0}.in(kSide, kSide),
-                                    TexelLookup{20, 10.5, 0, 0, 0, 0}.in(kSide, kSide)};
+  const std::vector<Lookup> lookups{TexelLookup{-20, 10.5, 0, 0, 0, 0}.in(kProfileSide, kProfileSide),
+                                    TexelLookup{0, 10.5, 0, 0, 0, 0}.in(kProfileSide, kProfileSide),
+                                    TexelLookup{20, 10.5, 0, 0, 0, 0}.in(kProfileSide, kProfileSide)};
   Profile profile = opaque.profile(lookups, options);
   EXPECT_EQ(profile[Reach::kBorderTexels], (Histogram{{0, 1}, {2, 1}, {4, 1}}));
   EXPECT_EQ(profile[Reach::kTranslucent], (Histogram{{0, 1}, {1, 2}}));  // the border's alpha is 0
@@ -161,18 +163,18 @@ TEST(profile, borders_and_alpha) {
   // Between two levels, outside of both.
   SamplerOptions blended = options;
   blended.mode = Mode::kTrilinear;
-  const Profile two = opaque.profile({TexelLookup{-20, 10.5, 1.5, 0, 0, 1.5}.in(kSide, kSide)}, blended);
+  const Profile two = opaque.profile({TexelLookup{-20, 10.5, 1.5, 0, 0, 1.5}.in(kProfileSide, kProfileSide)}, blended);
   EXPECT_EQ(two[Reach::kBlended], once(1));
   EXPECT_EQ(two[Reach::kBorderTexels], once(8));
   EXPECT_EQ(opaque.use_in(two).touched.count(), 0U);
   options.border[3] = 1;
   EXPECT_EQ(opaque.profile(lookups, options)[Reach::kTranslucent], once(0, 3));
-  const TestTexture translucent(flat_texture(kSide, kSide, 254));
+  const TestTexture translucent(flat_texture(kProfileSide, kProfileSide, 254));
   EXPECT_EQ(translucent.profile(lookups, options)[Reach::kTranslucent], (Histogram{{0, 1}, {1, 2}}));
 }
 
 TEST(profile, sampler_values) {
-  const TestTexture test(flat_texture(kSide, kSide));
+  const TestTexture test(flat_texture(kProfileSide, kProfileSide));
   SamplerOptions options;
   options.probes = kHighQuality;
   options.max_probes = 5;

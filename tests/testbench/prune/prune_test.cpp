@@ -16,7 +16,7 @@
 namespace feline {
 namespace {
 
-Profile profile_of(const Lookup& lookup, const SamplerOptions& options, const Scene& scene,
+Profile profile_of(const Lookup& lookup, const SamplerOptions& options, const TestScene& scene,
                    const ProfiledTexture& texture) {
   Profile profile;
   const auto sampler = make_sampler<kDefaultConfig>(options, scene.texture, scene.memory);
@@ -31,12 +31,12 @@ void expect_flags_where_profiles_say(const char* name) {
   Random random = random_for(name);
   const auto scenes = make_scenes(random, Content::kExtremes);
   std::vector<ProfiledTexture> textures;
-  for (const Scene& scene : scenes) textures.push_back(profiled_texture("test", scene.texture));
+  for (const TestScene& scene : scenes) textures.push_back(profiled_texture("test", scene.texture));
   int inside = 0;
   int outside = 0;
   for (int i = 0; i < 20000; ++i) {
     const auto number = static_cast<std::size_t>(random.below(static_cast<std::int64_t>(scenes.size())));
-    const Scene& scene = scenes[number];
+    const TestScene& scene = scenes[number];
     SamplerOptions options = random_options(random);
     if (!random.one_in(4)) {
       options.mode = supported_mode(kConfig.features, options.mode);
@@ -71,14 +71,14 @@ TEST(prune, plain_unit_flags_what_profiles_say) { expect_flags_where_profiles_sa
 TEST(prune, cross_unit_flags_what_profiles_say) { expect_flags_where_profiles_say<kCrossUnit>("prune.cross"); }
 TEST(prune, ext_unit_flags_what_profiles_say) { expect_flags_where_profiles_say<kExtUnit>("prune.ext"); }
 
-Scene grey_scene(int side, TexelFormat format) {
+TestScene grey_scene(int side, TexelFormat format) {
   Random random = random_for("prune.grey");
   return make_scene(random, side, side, format, false, Content::kNoise);
 }
 
 // One lookup of 4 x 2 texels along the axes: what there is to know of it by hand.
 TEST(prune, keeps_what_one_lookup_needs) {
-  const Scene scene = grey_scene(64, TexelFormat::kR8);
+  const TestScene scene = grey_scene(64, TexelFormat::kR8);
   SamplerOptions options;
   options.mode = Mode::kSimple;
   options.wrap_s = options.wrap_t = Wrap::kMirroredRepeat;
@@ -102,7 +102,7 @@ TEST(prune, keeps_what_one_lookup_needs) {
 
 // NaN leaves no bound: the unit needs du/dx and dv/dy to say so.
 TEST(prune, keeps_what_a_footprint_without_bound_needs) {
-  const Scene scene = grey_scene(64, TexelFormat::kR8);
+  const TestScene scene = grey_scene(64, TexelFormat::kR8);
   SamplerOptions options;
   options.mode = Mode::kSimple;
   Lookup lookup{0.3F, 0.4F, 0, 0, 0, 0};
@@ -115,7 +115,7 @@ TEST(prune, keeps_what_a_footprint_without_bound_needs) {
 
 // Positions of a narrower unit have fewer fraction bits, and so reach as many textures with fewer bits.
 TEST(prune, a_range_is_in_the_units_own_fraction) {
-  const Scene scene = grey_scene(64, TexelFormat::kR8);
+  const TestScene scene = grey_scene(64, TexelFormat::kR8);
   SamplerOptions options;
   options.mode = Mode::kSimple;
   options.wrap_s = options.wrap_t = Wrap::kClampToEdge;
@@ -142,7 +142,7 @@ TEST(prune, a_merged_profile_needs_what_its_parts_need) {
     Profile merged;
     std::vector<Config> parts;
     for (int part = 0; part < 3; ++part) {
-      const Scene& scene = scenes[static_cast<std::size_t>(random.below(static_cast<std::int64_t>(scenes.size())))];
+      const TestScene& scene = scenes[static_cast<std::size_t>(random.below(static_cast<std::int64_t>(scenes.size())))];
       const Lookup lookup = any_lookup(random, scene.texture.levels[0].width, scene.texture.levels[0].height);
       const Profile profile =
           profile_of(lookup, random_options(random), scene, profiled_texture("test", scene.texture));
