@@ -64,10 +64,33 @@ endfunction()
 
 include(tests/rtl/fault_list.cmake)
 
+# What the rules of mutants say of each stage's input, watched.
+function(feline_watch stage input has_sampler)
+  set(changed "1'b0")
+  if(has_sampler)
+    set(sampler " .sampler_i,")
+    set(changed "sampler_i != u_rules.u_sampler.sampler_q")
+  endif()
+  feline_replace_once(feline_${stage} "endmodule" "  logic rules_legal;
+  feline_rules_${stage} u_rules (.clk_i, .rst_i,${sampler} .${input}_valid_i, .${input}_ready_o, .${input}_i,
+                                 .legal_o(rules_legal));
+  feline_rules_watch u_watch (.clk_i, .rst_i, .changed_i(${changed}), .legal_i(rules_legal));
+endmodule")
+endfunction()
+
+feline_watch(group request TRUE)
+feline_watch(footprint group TRUE)
+feline_watch(plan footprint TRUE)
+feline_watch(walk plan FALSE)
+feline_watch(address walk TRUE)
+feline_watch(accumulate filter FALSE)
+file(GLOB RULES_FILES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/testbench/mutation/rules/*.sv)
+
 file(WRITE ${FAULTY_DIR}/fault_table.inc "${FAULT_TABLE}")
 list(TRANSFORM RTL_FILES REPLACE ".*/" "${FAULTY_DIR}/" OUTPUT_VARIABLE FAULTY_FILES)
 # Mutants need not be lint-clean.
-feline_verilated(feline_faulty tests/rtl/faulty_unit.cpp -O1 TRACE_FST WARNINGS -Wno-lint FILES ${FAULTY_DIR}/feline_fault_pkg.sv ${FAULTY_FILES})
+feline_verilated(feline_faulty tests/rtl/faulty_unit.cpp -O1 TRACE_FST WARNINGS -Wno-lint FILES ${FAULTY_DIR}/feline_fault_pkg.sv ${FAULTY_FILES}
+                ${RULES_FILES} ${CMAKE_SOURCE_DIR}/tests/rtl/feline_rules_watch.sv)
 target_include_directories(feline_faulty PUBLIC ${FAULTY_DIR})
 
 # The program with a fault in its RTL. Its own units come before those of the bench's libraries.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What reaches accumulate: a beat stays until it is taken; a pixel's probes from first to last, of weights that sum to
-// one (test weight_rows_sum_to_one; leaf walk.probe_weight); colours of at most 255, alpha, which is never sRGB, in steps
-// of 2^-24 (leaf filter.texels).
+// one (test weight_rows_sum_to_one; leaf walk.probe_weight); colours of at most 255 (leaf filter.texels).
 `default_nettype none
 
 module feline_rules_accumulate (
@@ -40,7 +39,7 @@ module feline_rules_accumulate (
   end
 
   assign legal_o = (!held_q || (filter_valid_i && filter_i == filter_q)) &&
-                   (!filter_valid_i || (channel_legal == '1 && filter_i.colour[3][3:0] == '0 && filter_i.first == !begun_q && sum <= One &&
+                   (!filter_valid_i || (channel_legal == '1 && filter_i.first == !begun_q && sum <= One &&
                                         (!filter_i.last || sum == One)));
 endmodule
 

@@ -35,9 +35,9 @@ module feline_rules_sampler (
   assign shifts_legal = sampler_i.width_reciprocal[feline_pkg::SizeReciprocalFraction] &&
                         sampler_i.height_reciprocal[feline_pkg::SizeReciprocalFraction] &&
                         (32'(sampler_i.width) - 1) >> sampler_i.width_shift == 0 &&
-                        (32'(sampler_i.width) << 1) - 1 > 32'(1) << sampler_i.width_shift &&
+                        (32'(sampler_i.width) << 1) > 32'(1) << sampler_i.width_shift &&
                         (32'(sampler_i.height) - 1) >> sampler_i.height_shift == 0 &&
-                        (32'(sampler_i.height) << 1) - 1 > 32'(1) << sampler_i.height_shift;
+                        (32'(sampler_i.height) << 1) > 32'(1) << sampler_i.height_shift;
   // 1/256 .. 1; 1 .. 2, not 2; 1/2 .. 1; 1/4 .. 1.
   assign factors_legal = sampler_i.length_factor != '0 && 32'(sampler_i.length_factor) <= One &&
                          32'(sampler_i.blur_factor) >= One && 32'(sampler_i.inverse_alias_factor) >= One / 2 &&
