@@ -27,7 +27,7 @@ std::uint64_t broken_rules(std::uint64_t lookups) {
 TEST(rules, every_beat_is_legal) { EXPECT_EQ(broken_rules(500000), 0U) << "FELINE_SEED=" << seed(); }
 
 TEST(rules, what_is_illegal_is_counted) {
-  set_fault(find_fault("plan_taken_with_its_first_probe")->number);
+  set_fault(find_fault("overflow_of_rounding_missed")->number);
   EXPECT_GT(broken_rules(20000), 0U);
   set_fault(0);
 }
