@@ -49,8 +49,9 @@ constexpr void pack_lane(const std::array<std::int64_t, kFields.size()>& values,
   (std::make_index_sequence<kFields.size()>());
 }
 
+// Flattened: an array that is stored by parts and loaded as a whole, as a call would, waits for the store each time.
 template <typename Leaf, auto kFunction>
-void evaluate_lanes(const std::uint64_t* inputs, std::uint64_t* outputs, std::size_t count) {
+[[gnu::flatten]] void evaluate_lanes(const std::uint64_t* inputs, std::uint64_t* outputs, std::size_t count) {
   constexpr std::size_t kInputWords = lane_words<Leaf::kInputs>();
   constexpr std::size_t kOutputWords = lane_words<Leaf::kOutputs>();
   for (std::size_t i = 0; i < count; ++i) {

@@ -41,7 +41,7 @@ struct Netlist {
 // Gates in places: evaluates bit-sliced, one bit of a word being one lane.
 class NetlistProgram {
  public:
-  static constexpr std::size_t kLanes = 4096;
+  static constexpr std::size_t kLanes = 8192;
 
   explicit NetlistProgram(const Netlist& netlist);
 
