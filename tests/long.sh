@@ -53,6 +53,8 @@ case $((day % 3)) in
   1)
     # All of them: tests/configurations.sh.
     configurations=(least most lean bare front)
+    step "the netlist of gates in Icarus: tests/rtl/netlist.sh --gates"
+    tests/rtl/netlist.sh --gates build/gates
     step "another configuration: tests/configurations.sh ${configurations[turn % 5]}"
     tests/configurations.sh "${configurations[turn % 5]}"
     # clang-tidy alone would take twenty minutes.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,5 +51,9 @@ Aiger observed_difference(const Aiger& right, const Aiger& wrong);
 // Without state: what leaves a pipeline after so many cycles of the same beat, all valid and ready, and no reset; zeros
 // where that is not legal (legal_o). To be compared are pipelines without other state than that of their streams.
 Aiger steady_flow(const Aiger& aiger, std::size_t cycles);
+
+// Whether an output whose name is wanted ever differs between two circuits without state, of the same inputs and
+// outputs: an output that is 1 when it does.
+Aiger difference(const Aiger& right, const Aiger& wrong, const std::function<bool(std::string_view)>& wanted);
 
 }  // namespace feline::mutation

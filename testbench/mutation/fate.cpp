@@ -6,11 +6,17 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <functional>
+#include <optional>
 #include <set>
 #include <span>
 #include <sstream>
 #include <stdexcept>
 
+#include "tables/formats.h"
+#include "tables/stages.h"
+#include "tables/unit.h"
 #include "testbench/area/yosys.h"
 #include "testbench/atomic_file.h"
 #include "testbench/mutation/aiger.h"
@@ -47,11 +53,21 @@ void tell_fates(std::span<Fate* const> fates, const std::string& lines) {
   }
 }
 
-// Whether abc says `yes`; it looks at its own limit of time in places only.
-bool abc_says(std::string_view yes, const std::string& commands) {
+// What a proof comes to, as the cache has it.
+enum class Verdict : char {
+  kUnknown = '0',
+  kProved = '1',
+  kDiffers = 'd',
+  kEnumerated = 'e',  // it differs where feline prove looks at everything
+};
+
+bool says(const std::string& text, std::string_view words) { return text.find(words) != std::string::npos; }
+
+// What abc says; it looks at its own limit of time in places only.
+std::string ask_abc(const std::string& commands) {
   constexpr int kPatience = 20;  // seconds
   const std::vector<std::string> command{"timeout", std::to_string(kPatience), "yosys-abc", "-q", commands};
-  return page::run_process(command, "").output.find(yes) != std::string::npos;
+  return page::run_process(command, "").output;
 }
 
 bool same_logic(const Aiger& right, const Aiger& wrong) {
@@ -60,29 +76,56 @@ bool same_logic(const Aiger& right, const Aiger& wrong) {
   const AtomicFile wrong_file(work / "feline-mutant.aig");
   write_text(right_file.temporary(), to_binary(cut_latches(right)));
   write_text(wrong_file.temporary(), to_binary(cut_latches(wrong)));
-  return abc_says("Networks are equivalent",
-                  fmt::format("&r {}; &cec {}", right_file.temporary().string(), wrong_file.temporary().string()));
+  return says(ask_abc(fmt::format("&r {}; &cec {}", right_file.temporary().string(), wrong_file.temporary().string())),
+              "Networks are equivalent");
+}
+
+bool unobserved(const Aiger& right, const Aiger& wrong) {
+  const AtomicFile file(std::filesystem::temp_directory_path() / "feline-difference.aig");
+  write_text(file.temporary(), to_binary(observed_difference(right, wrong)));
+  return says(ask_abc(fmt::format("read_aiger {}; strash; scleanup; scorr; pdr", file.temporary().string())),
+              "Property proved");
 }
 
 // Pipelines, whose proofs of streams (feline prove) leave only what a beat makes of another one.
 constexpr std::array<std::string_view, 5> kPipelines{"group", "footprint", "plan", "address", "filter"};
 constexpr std::size_t kMostRegisters = 6;
 
-bool same_flow(const Aiger& right, const Aiger& wrong) {
-  const std::filesystem::path work = std::filesystem::temp_directory_path();
-  const AtomicFile right_file(work / "feline-right.aig");
-  const AtomicFile wrong_file(work / "feline-mutant.aig");
-  write_text(right_file.temporary(), to_binary(steady_flow(right, kMostRegisters + 1)));
-  write_text(wrong_file.temporary(), to_binary(steady_flow(wrong, kMostRegisters + 1)));
-  return abc_says("Networks are equivalent",
-                  fmt::format("&r {}; &cec {}", right_file.temporary().string(), wrong_file.temporary().string()));
+// Whether any beat comes out otherwise in what is wanted of it.
+std::optional<bool> flows_otherwise(const Aiger& right, const Aiger& wrong,
+                                    const std::function<bool(std::string_view)>& wanted) {
+  const AtomicFile file(std::filesystem::temp_directory_path() / "feline-flow.aig");
+  const Aiger miter =
+      difference(steady_flow(right, kMostRegisters + 1), steady_flow(wrong, kMostRegisters + 1), wanted);
+  write_text(file.temporary(), to_binary(miter));
+  const std::string said = ask_abc(fmt::format("read_aiger {}; strash; dc2; fraig; iprove", file.temporary().string()));
+  if (says(said, "UNSATISFIABLE")) return false;
+  if (says(said, "SATISFIABLE")) return true;
+  return std::nullopt;
 }
 
-bool unobserved(const Aiger& right, const Aiger& wrong) {
-  const AtomicFile file(std::filesystem::temp_directory_path() / "feline-difference.aig");
-  write_text(file.temporary(), to_binary(observed_difference(right, wrong)));
-  return abc_says("Property proved",
-                  fmt::format("read_aiger {}; strash; scleanup; scorr; pdr", file.temporary().string()));
+// The vector and the radii, which `feline prove --leaf footprint.*` enumerates for all mantissas in every mode.
+bool is_enumerated(std::string_view output) {
+  constexpr int kBits = 2 * Formats<kUnit>::kVector.width() + 2 * Formats<kUnit>::kRadius.width();
+  constexpr std::string_view kBegin = "footprint_o[";
+  if (!output.starts_with(kBegin)) return false;
+  int bit = kBits;
+  std::from_chars(output.data() + kBegin.size(), output.data() + output.size(), bit);
+  return bit < kBits;
+}
+
+Verdict whether_observed(const StageMutants& stage, const Mutant& mutant, const Aiger& right, const Aiger& wrong) {
+  const bool is_pipeline = std::ranges::find(kPipelines, stage.stage()) != kPipelines.end();
+  if (is_pipeline && !stage.in_stream(mutant)) {
+    const auto otherwise = flows_otherwise(right, wrong, [](std::string_view) { return true; });
+    if (otherwise == false) return Verdict::kProved;
+    if (otherwise == true) {
+      const bool enumerated = stage.stage() == kStageNames[static_cast<std::size_t>(Stage::kFootprint)] &&
+                              flows_otherwise(right, wrong, is_enumerated) == true;
+      return enumerated ? Verdict::kEnumerated : Verdict::kDiffers;
+    }
+  }
+  return unobserved(right, wrong) ? Verdict::kProved : Verdict::kUnknown;
 }
 
 }  // namespace
@@ -153,28 +196,33 @@ void compare_logic(const StageMutants& stage, Fate::Logic wanted, const Workshop
   if (open.empty()) return;
   const bool same = wanted == Fate::Logic::kSame;
   const std::string key =
-      workshop.cache.key({same ? "same logic" : "unobserved", workshop.trials, stage.text(), codes_of(open)});
+      workshop.cache.key({same ? "same logic" : "observed", workshop.trials, stage.text(), codes_of(open)});
   std::string known = workshop.cache.read(key).value_or("");
   if (known.size() != open.size()) {
     const Aiger logic = read_aiger(stage.logic(mutants));
     const Aiger right = with_input(logic, "mutant", 0);
-    const bool is_pipeline = std::ranges::find(kPipelines, stage.stage()) != kPipelines.end();
     Progress progress(fmt::format("{}: {}", stage.stage(), same ? "the same logic" : "a difference nobody sees"),
                       open.size());
-    known.assign(open.size(), '0');
+    known.assign(open.size(), static_cast<char>(Verdict::kUnknown));
     for_each_index(0, static_cast<std::int64_t>(open.size()), [&](std::int64_t i) {
       const auto place = static_cast<std::size_t>(i);
       const Aiger wrong = with_input(logic, "mutant", code(mutants[place]));
-      const bool flows = is_pipeline && !stage.in_stream(mutants[place]);
-      const bool proved =
-          same ? same_logic(right, wrong) : (flows && same_flow(right, wrong)) || unobserved(right, wrong);
-      if (proved) known[place] = '1';
+      const Verdict verdict = !same                      ? whether_observed(stage, mutants[place], right, wrong)
+                              : same_logic(right, wrong) ? Verdict::kProved
+                                                         : Verdict::kUnknown;
+      known[place] = static_cast<char>(verdict);
       progress.advance(1);
     });
     workshop.cache.write(key, known);
   }
   for (std::size_t i = 0; i < open.size(); ++i) {
-    if (known[i] == '1') open[i]->logic = wanted;
+    const auto verdict = static_cast<Verdict>(known[i]);
+    if (verdict == Verdict::kProved) open[i]->logic = wanted;
+    if (verdict == Verdict::kDiffers) open[i]->differs = true;
+    if (verdict == Verdict::kEnumerated) {
+      open[i]->tier = "exhaustive";
+      open[i]->stage = stage.stage();
+    }
   }
 }
 

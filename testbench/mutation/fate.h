@@ -25,6 +25,7 @@ struct Fate {
   // Of a survivor: its logic, with all registers and memories cut open, is that of the stage; or nobody who keeps to
   // the streams' rules sees a difference (observed_difference).
   enum class Logic : std::uint8_t { kUnknown, kSame, kUnobserved } logic = Logic::kUnknown;
+  bool differs = false;  // some legal beat comes out otherwise, says SAT, but nothing that was tried
   bool proved() const { return logic != Logic::kUnknown; }
 };
 
@@ -48,8 +49,10 @@ std::string trials_hash(const std::filesystem::path& source);
 void try_mutants(const StageMutants& stage, const std::vector<std::string>& tiers, const Workshop& workshop,
                  std::vector<Fate>& fates);
 
-// Proves by SAT what it can of those that no tier has killed: that all their logic is the stage's (abc &cec), or that
-// nobody sees a difference (abc pdr). Bits of ROMs stay unknown: they differ.
+// Proves by SAT what it can of those that no tier has killed: that all their logic is the stage's (abc &cec); or that
+// nobody sees a difference: in a pipeline's arithmetic, of what a legal beat makes of another one (abc iprove),
+// elsewhere at any time (abc pdr). Where a beat of footprint differs, `feline prove`, which goes through all of them,
+// kills it: tier "exhaustive". Bits of ROMs stay unknown: they differ.
 void compare_logic(const StageMutants& stage, Fate::Logic wanted, const Workshop& workshop, std::vector<Fate>& fates);
 
 }  // namespace feline::mutation

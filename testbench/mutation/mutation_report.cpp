@@ -93,7 +93,7 @@ StageResult judge(const std::string& stage, std::size_t sites, std::vector<Fate>
       if (reasons != known.end() && reasons->second.contains(fate.name)) {
         result.known[fate.name] = reasons->second.at(fate.name);
       } else {
-        result.open.push_back(fate.name);
+        result.open.push_back(fate.differs ? fate.name + " (a beat differs, says SAT)" : fate.name);
       }
     }
   }

@@ -81,7 +81,7 @@ int run_mutate(const MutateOptions& options) {
   }
   const std::vector<std::string> tiers = options.model
                                              ? std::vector<std::string>{"smoke", "leaves", "unit", "tests"}
-                                             : std::vector<std::string>{"smoke", "close", "pace", "suite", "long"};
+                                             : std::vector<std::string>{"smoke", "close", "pace", "suite", "exhaustive", "long"};
   const std::string json = to_json(results, options.seed).dump(1) + "\n";
   const std::string text = to_text(results, tiers);
   OutputFiles outputs;

@@ -121,6 +121,17 @@ TEST(mutation_aiger, in_steady_flow_registers_are_wires) {
   }
 }
 
+TEST(mutation_aiger, a_difference_is_one_of_wanted_outputs) {
+  const Aiger plain = steady_flow(with_input(stage(false), "mutant", 0), 3);
+  const Aiger flipped = steady_flow(with_input(stage(false), "mutant", 2), 3);
+  const auto differs_in = [&](std::string_view wanted) -> bool {
+    const Aiger miter = difference(plain, flipped, [&](std::string_view name) { return name == wanted; });
+    return Simulator(miter).cycle({false, true, false, false})[0];
+  };
+  EXPECT_TRUE(differs_in("y_o[0]"));
+  EXPECT_FALSE(differs_in("y_valid_o"));
+}
+
 TEST(mutation_aiger, nothing_illegal_flows) {
   Aiger aiger = with_input(stage(false), "mutant", 0);
   aiger.outputs.push_back({4, "legal_o"});  // only a one is
