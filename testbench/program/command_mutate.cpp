@@ -79,9 +79,9 @@ int run_mutate(const MutateOptions& options) {
   } else {
     for (const std::string& name : stages) results.push_back(run_stage(name, options, workshop, known));
   }
-  const std::vector<std::string> tiers = options.model
-                                             ? std::vector<std::string>{"smoke", "leaves", "unit", "tests"}
-                                             : std::vector<std::string>{"smoke", "close", "pace", "suite", "exhaustive", "long"};
+  const std::vector<std::string> tiers =
+      options.model ? std::vector<std::string>{"smoke", "leaves", "unit", "tests"}
+                    : std::vector<std::string>{"smoke", "close", "pace", "suite", "exhaustive", "long"};
   const std::string json = to_json(results, options.seed).dump(1) + "\n";
   const std::string text = to_text(results, tiers);
   OutputFiles outputs;

@@ -87,7 +87,9 @@ class Recorder {
     count(Reach::kBorderTexels, outside);
   }
 
-  void operator()(const FetchBeat<kDefaultConfig>& beat) { count(Reach::kTranslucent, reads_translucent(beat) ? 1 : 0); }
+  void operator()(const FetchBeat<kDefaultConfig>& beat) {
+    count(Reach::kTranslucent, reads_translucent(beat) ? 1 : 0);
+  }
 
   void operator()(const AccumulateBeat<kDefaultConfig>& beat) { count(Reach::kStatus, beat.status.raw()); }
 
