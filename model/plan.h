@@ -217,8 +217,8 @@ PlanBeat<kConfig> plan(const FootprintBeat<kConfig>& footprint, const SamplerSta
   const std::int64_t probes = beyond_smallest ? 1 : choice.probes;
 
   if (probes > 1 || !skips_point) {
-    const std::int64_t line =
-        probes > 1 ? line_fraction<kConfig>(radii.major, fitted, footprint.major_radius.raw()) : 0;
+    const bool has_line = probes > 1 && mode != Mode::kExt;
+    const std::int64_t line = has_line ? line_fraction<kConfig>(radii.major, fitted, footprint.major_radius.raw()) : 0;
     const std::int64_t factor = half_step_factor<kConfig>(mode, probes, line);
     beat.half_step_s = to_half_step<kConfig>(footprint.major_u.raw(), factor, sampler.width_reciprocal.raw(),
                                              sampler.width_shift.raw(), exponent);

@@ -2,7 +2,7 @@
 // A vector's component from texels to the texture (to_half_step of model/plan.h), exact but for its scale.
 //
 // Takes  vector S8.8 texel * 2^exponent; reciprocal U1.15, the mantissa of 1/width or 1/height.
-// Gives  their product, S10.23 texture * 2^(exponent - size_shift).
+// Gives  their product, S9.23 texture * 2^(exponent - size_shift).
 // Rounds nothing.
 // Edges  where all sizes are powers of two, the mantissa is 1.
 // Source WRL 99/1, 3.1.

@@ -27,6 +27,8 @@ while (($# > 0)); do
     --seconds | --seed)
       [[ ${2:-} =~ ^[0-9]+$ ]] || { echo "error: $1: got ${2:-nothing}, legal is a whole number" >&2; exit 2; }
       if [[ $1 == --seed ]]; then seed=$2; else seconds=$2; fi
+      # 0 is a seed of libFuzzer's own choice.
+      ((seed > 0)) || { echo "error: --seed: got 0, legal is 1 or more" >&2; exit 2; }
       shift
       ;;
     -h | --help) usage; exit 0 ;;
@@ -56,7 +58,7 @@ export UBSAN_OPTIONS=print_stacktrace=1 LSAN_OPTIONS=print_suppressions=0
 # OpenImageIO takes 64 MB at a time: of memory that is given back this much is watched.
 export ASAN_OPTIONS=quarantine_size_mb=64
 mkdir -p build-fuzz/findings
-# libFuzzer takes 0 for a number of its own.
+# To libFuzzer no seconds are no limit.
 limit=(-max_total_time="$seconds")
 ((seconds > 0)) || limit=(-runs=0)
 

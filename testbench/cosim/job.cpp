@@ -14,11 +14,13 @@ namespace {
 
 // The part of a batch that lies in the range; may be empty.
 Batch cut(Batch batch, const ReplayRange& range) {
+  // After the last one the unit must be empty.
   const std::uint64_t end = batch.first_lookup + batch.lookups.size();
   const std::uint64_t first = std::clamp(range.first, batch.first_lookup, end);
   const std::uint64_t last = std::clamp(range.last + 1, first, end);
   batch.lookups = batch.lookups.subspan(first - batch.first_lookup, last - first);
   batch.first_lookup = first;
+  batch.same_texture_follows = batch.same_texture_follows && range.last >= end;
   return batch;
 }
 

@@ -203,7 +203,8 @@ Batch RandomBatches::make(std::uint64_t number, std::uint64_t lookups) {
   for (std::uint64_t i = first; i < std::min(first + batch_lookups_, lookups); ++i) {
     lookups_.push_back(i % 8 == 7 ? patterned(random, width, height, i / 8) : random_lookup(random, width, height));
   }
-  Batch batch{make_sampler<kUnit>(options_, texture_, memory_), &memory_, lookups_, first, number % 2 == 0, {}};
+  const bool follows = number % 2 == 0 && first + batch_lookups_ < lookups;
+  Batch batch{make_sampler<kUnit>(options_, texture_, memory_), &memory_, lookups_, first, follows, {}};
   if (vary_) batch.conditions = random_conditions(random);
   return batch;
 }

@@ -8,4 +8,4 @@ add_executable(feline_coverage ${COVERAGE_SOURCES} testbench/cosim/conditions.cp
                testbench/cosim/scoreboard.cpp testbench/page/heat_map.cpp testbench/page/html.cpp)
 target_compile_options(feline_coverage PRIVATE ${FELINE_WARNINGS})
 target_link_libraries(feline_coverage PRIVATE feline_scenes feline_covered CLI11::CLI11)
-set_source_files_properties(testbench/page/heat_map.cpp testbench/page/html.cpp PROPERTIES COMPILE_OPTIONS -O0)
+set_source_files_properties(testbench/page/heat_map.cpp testbench/page/html.cpp testbench/cosim/mismatch.cpp PROPERTIES COMPILE_OPTIONS -O0)

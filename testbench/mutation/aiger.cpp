@@ -157,7 +157,7 @@ std::vector<std::uint32_t> own_variables(const Aiger& aiger) {
 
 }  // namespace
 
-Aiger with_input(const Aiger& aiger, std::string_view name, std::uint64_t value) {
+Aiger with_input(const Aiger& aiger, std::string_view name, std::uint64_t value, std::uint32_t first) {
   Aiger fixed{aiger.inputs, {}, {}, {}};
   fixed.next.resize(aiger.next.size());
   std::vector<std::uint32_t> variables = own_variables(aiger);
@@ -167,7 +167,8 @@ Aiger with_input(const Aiger& aiger, std::string_view name, std::uint64_t value)
       continue;
     }
     const std::uint32_t bit = number(full.substr(name.size() + 1, full.size() - name.size() - 2));
-    variables[i + 1] = bit < 64 ? static_cast<std::uint32_t>(value >> bit & 1) : 0;
+    if (bit < first) continue;
+    variables[i + 1] = bit - first < 64 ? static_cast<std::uint32_t>(value >> (bit - first) & 1) : 0;
   }
   variables = copy_gates(aiger, std::move(variables), fixed);
   const auto moved = [&](std::uint32_t literal) { return variables[literal / 2] ^ (literal & 1); };
@@ -290,6 +291,14 @@ Aiger steady_flow(const Aiger& aiger, std::size_t cycles) {
     flow.outputs.push_back({flow.add_gate(legal, moved(output.literal)), output.name});
   }
   return flow;
+}
+
+bool comes_out(const Aiger& flow) {
+  const Aiger::Output* const legal = Ports(flow).output("legal_o");
+  const std::uint32_t when = legal == nullptr ? 1 : legal->literal;
+  return when != 0 && std::ranges::all_of(flow.outputs, [&](const Aiger::Output& output) {
+           return !output.name.ends_with("_valid_o") || output.literal == when;
+         });
 }
 
 Aiger difference(const Aiger& right, const Aiger& wrong, const std::function<bool(std::string_view)>& wanted) {

@@ -35,8 +35,9 @@ struct Aiger {
 Aiger read_aiger(std::string_view binary);
 std::string to_binary(const Aiger& aiger);
 
-// The same, `name`[i] having the value of bit i of `value`: the inputs stay, but nothing reads them.
-Aiger with_input(const Aiger& aiger, std::string_view name, std::uint64_t value);
+// The same, `name`[first + i] having the value of bit i of `value`, 0 beyond it: the inputs stay, but nothing reads
+// them.
+Aiger with_input(const Aiger& aiger, std::string_view name, std::uint64_t value, std::uint32_t first = 0);
 
 // Without state: an input for what each latch holds, an output for what it takes next.
 Aiger cut_latches(const Aiger& aiger);
@@ -51,6 +52,8 @@ Aiger observed_difference(const Aiger& right, const Aiger& wrong);
 // Without state: what leaves a pipeline after so many cycles of the same beat, all valid and ready, and no reset; zeros
 // where that is not legal (legal_o). To be compared are pipelines without other state than that of their streams.
 Aiger steady_flow(const Aiger& aiger, std::size_t cycles);
+// Whether every output X_valid_o of a steady flow is 1, whatever the beat, if it is legal: the pipeline is not longer.
+bool comes_out(const Aiger& flow);
 
 // Whether an output whose name is wanted ever differs between two circuits without state, of the same inputs and
 // outputs: an output that is 1 when it does.

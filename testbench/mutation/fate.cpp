@@ -15,6 +15,8 @@
 #include <stdexcept>
 
 #include "tables/formats.h"
+#include "tables/pack.h"
+#include "tables/sampler_state.h"
 #include "tables/stages.h"
 #include "tables/unit.h"
 #include "testbench/area/yosys.h"
@@ -63,11 +65,17 @@ enum class Verdict : char {
 
 bool says(const std::string& text, std::string_view words) { return text.find(words) != std::string::npos; }
 
-// What abc says; it looks at its own limit of time in places only.
+// What abc says; it looks at its own limit of time in places only. Throws std::runtime_error when it fails otherwise.
 std::string ask_abc(const std::string& commands) {
-  constexpr int kPatience = 20;  // seconds
+  constexpr int kPatience = 20;    // seconds
+  constexpr int kOutOfTime = 124;  // of timeout
   const std::vector<std::string> command{"timeout", std::to_string(kPatience), "yosys-abc", "-q", commands};
-  return page::run_process(command, "").output;
+  const page::Finished finished = page::run_process(command, "");
+  if (finished.code != 0 && finished.code != kOutOfTime) {
+    throw std::runtime_error(
+        fmt::format("yosys-abc: exit code {}\n{}{}", finished.code, finished.output, finished.errors));
+  }
+  return finished.output;
 }
 
 bool same_logic(const Aiger& right, const Aiger& wrong) {
@@ -94,18 +102,18 @@ constexpr std::size_t kMostRegisters = 6;
 // Whether any beat comes out otherwise in what is wanted of it.
 std::optional<bool> flows_otherwise(const Aiger& right, const Aiger& wrong,
                                     const std::function<bool(std::string_view)>& wanted) {
+  const Aiger flow = steady_flow(right, kMostRegisters + 1);
+  if (!comes_out(flow)) throw std::runtime_error("a stage of more registers than a pipeline may have");
   const AtomicFile file(std::filesystem::temp_directory_path() / "feline-flow.aig");
-  const Aiger miter =
-      difference(steady_flow(right, kMostRegisters + 1), steady_flow(wrong, kMostRegisters + 1), wanted);
-  write_text(file.temporary(), to_binary(miter));
+  write_text(file.temporary(), to_binary(difference(flow, steady_flow(wrong, kMostRegisters + 1), wanted)));
   const std::string said = ask_abc(fmt::format("read_aiger {}; strash; dc2; fraig; iprove", file.temporary().string()));
   if (says(said, "UNSATISFIABLE")) return false;
   if (says(said, "SATISFIABLE")) return true;
   return std::nullopt;
 }
 
-// The vector and the radii, which `feline prove --leaf footprint.*` enumerates for all mantissas in every mode.
-bool is_enumerated(std::string_view output) {
+// The vector and the radii of a footprint.
+bool is_ellipse(std::string_view output) {
   constexpr int kBits = 2 * Formats<kUnit>::kVector.width() + 2 * Formats<kUnit>::kRadius.width();
   constexpr std::string_view kBegin = "footprint_o[";
   if (!output.starts_with(kBegin)) return false;
@@ -114,15 +122,27 @@ bool is_enumerated(std::string_view output) {
   return bit < kBits;
 }
 
+// Whether it comes out otherwise where `feline prove --leaf footprint` looks: at the ellipses of all mantissas, in
+// these modes. The mode is the first field of the sampler state, its highest bits.
+bool is_enumerated(const Aiger& right, const Aiger& wrong) {
+  constexpr std::array kModes{Mode::kTrilinear, Mode::kExt, Mode::kSimple, Mode::kTable};
+  constexpr int kPlace = beat_width<SamplerState<kUnit>>() - Formats<kUnit>::kMode.width();
+  return std::ranges::any_of(kModes, [&](Mode mode) {
+    const auto in_mode = [&](const Aiger& aiger) {
+      return with_input(aiger, "sampler_i", static_cast<std::uint64_t>(mode), kPlace);
+    };
+    return flows_otherwise(in_mode(right), in_mode(wrong), is_ellipse) == true;
+  });
+}
+
 Verdict whether_observed(const StageMutants& stage, const Mutant& mutant, const Aiger& right, const Aiger& wrong) {
   const bool is_pipeline = std::ranges::find(kPipelines, stage.stage()) != kPipelines.end();
   if (is_pipeline && !stage.in_stream(mutant)) {
     const auto otherwise = flows_otherwise(right, wrong, [](std::string_view) { return true; });
     if (otherwise == false) return Verdict::kProved;
     if (otherwise == true) {
-      const bool enumerated = stage.stage() == kStageNames[static_cast<std::size_t>(Stage::kFootprint)] &&
-                              flows_otherwise(right, wrong, is_enumerated) == true;
-      return enumerated ? Verdict::kEnumerated : Verdict::kDiffers;
+      const bool is_footprint = stage.stage() == kStageNames[static_cast<std::size_t>(Stage::kFootprint)];
+      return is_footprint && is_enumerated(right, wrong) ? Verdict::kEnumerated : Verdict::kDiffers;
     }
   }
   return unobserved(right, wrong) ? Verdict::kProved : Verdict::kUnknown;
@@ -219,10 +239,7 @@ void compare_logic(const StageMutants& stage, Fate::Logic wanted, const Workshop
     const auto verdict = static_cast<Verdict>(known[i]);
     if (verdict == Verdict::kProved) open[i]->logic = wanted;
     if (verdict == Verdict::kDiffers) open[i]->differs = true;
-    if (verdict == Verdict::kEnumerated) {
-      open[i]->tier = "exhaustive";
-      open[i]->stage = stage.stage();
-    }
+    if (verdict == Verdict::kEnumerated) open[i]->tier = "exhaustive";
   }
 }
 

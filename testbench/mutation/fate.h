@@ -23,7 +23,7 @@ struct Fate {
   std::uint64_t cycles = 0;
   double milliseconds = 0;
   // Of a survivor: its logic, with all registers and memories cut open, is that of the stage; or nobody who keeps to
-  // the streams' rules sees a difference (observed_difference).
+  // the streams' rules sees a difference (observed_difference), the registers of either beginning with 0.
   enum class Logic : std::uint8_t { kUnknown, kSame, kUnobserved } logic = Logic::kUnknown;
   bool differs = false;  // some legal beat comes out otherwise, says SAT, but nothing that was tried
   bool proved() const { return logic != Logic::kUnknown; }
@@ -51,8 +51,8 @@ void try_mutants(const StageMutants& stage, const std::vector<std::string>& tier
 
 // Proves by SAT what it can of those that no tier has killed: that all their logic is the stage's (abc &cec); or that
 // nobody sees a difference: in a pipeline's arithmetic, of what a legal beat makes of another one (abc iprove),
-// elsewhere at any time (abc pdr). Where a beat of footprint differs, `feline prove`, which goes through all of them,
-// kills it: tier "exhaustive". Bits of ROMs stay unknown: they differ.
+// elsewhere at any time (abc pdr). Where an ellipse of footprint differs in a mode that `feline prove` enumerates,
+// that enumeration kills it: tier "exhaustive". Bits of ROMs stay unknown: they differ.
 void compare_logic(const StageMutants& stage, Fate::Logic wanted, const Workshop& workshop, std::vector<Fate>& fates);
 
 }  // namespace feline::mutation

@@ -84,7 +84,7 @@ StageResult judge(const std::string& stage, std::size_t sites, std::vector<Fate>
   for (const Fate& fate : result.fates) {
     if (!fate.tier.empty()) {
       ++result.killed[fate.tier];
-      times.push_back(fate.milliseconds);
+      if (fate.milliseconds > 0) times.push_back(fate.milliseconds);  // not of what is inferred
     } else if (fate.logic == Fate::Logic::kSame) {
       ++result.same;
     } else if (fate.logic == Fate::Logic::kUnobserved) {
@@ -106,7 +106,7 @@ nlohmann::ordered_json to_json(const std::vector<StageResult>& results, std::uin
   for (const StageResult& result : results) {
     nlohmann::ordered_json named = nlohmann::ordered_json::object();
     for (const Fate& fate : result.fates) {
-      if (fate.tier.empty()) continue;
+      if (fate.stage.empty()) continue;
       named[fate.stage] = named.value(fate.stage, 0) + 1;
     }
     json["stages"][result.stage] = {{"sites", result.sites},

@@ -199,7 +199,7 @@ void add_prove(CLI::App& program, int& exit_code) {
       "enumerates every arithmetic leaf: RTL, netlist and model against exact arithmetic; proves the rest by SAT");
   command->footer(
       "Writes certificate.json; goes on where it was stopped. Two engines evaluate the RTL: Verilator's code, and the\n"
-      "netlist that Yosys makes, 4096 inputs at once (Debian package yosys).\n"
+      "netlist that Yosys makes, 8192 inputs at once (Debian package yosys).\n"
       "Example: feline prove --leaf footprint --output proof; feline prove --check proof/certificate.json");
   command->add_option("--leaf", options->leaves,
                       "leaves or stages, with a comma between, or all; without it and --proof everything is proved");

@@ -94,8 +94,8 @@ void compare(const std::string& name, const LeafCertificate& certificate, const 
         fmt::format("CHANGED: leaf {}, chunk {}: digest {}, the certificate has {}\n", name, chunk, digest, expected));
     return;
   }
-  const bool both_whole = known->second.digests.size() == certificate.digests.size();
-  if (both_whole && known->second.worst != certificate.worst) {
+  const bool same_chunks = known->second.digests.size() == certificate.digests.size();
+  if (same_chunks && known->second.worst != certificate.worst) {
     disagreements.push_back(fmt::format("CHANGED: leaf {}: other worst errors than the certificate has\n", name));
   }
 }
@@ -125,12 +125,15 @@ Campaign run_campaign(const std::vector<const Leaf*>& leaves, const Shard& shard
     certificate.worst.resize(leaf->quantities.size());
   }
   // Entries of other leaves and of other sources stay in the file, but count for nothing here.
-  Journal journal(directory / "journal.jsonl", content_hash("/proc/self/exe"), [&](const Journal::Entry& entry) {
-    const auto leaf = std::ranges::find(leaves, entry.leaf, [](const Leaf* each) { return each->name; });
-    if (leaf == leaves.end() || entry.sources != proved[entry.leaf].sources || entry.chunk >= (*leaf)->chunks()) return;
-    LeafCertificate& certificate = proved[entry.leaf];
-    if (certificate.worst.size() == entry.result.worst.size()) certificate.add(entry.chunk, entry.result);
-  });
+  Journal journal(
+      directory / "journal.jsonl", content_hash("/proc/self/exe") + " " + synthesis.version(),
+      [&](const Journal::Entry& entry) {
+        const auto leaf = std::ranges::find(leaves, entry.leaf, [](const Leaf* each) { return each->name; });
+        if (leaf == leaves.end() || entry.sources != proved[entry.leaf].sources || entry.chunk >= (*leaf)->chunks())
+          return;
+        LeafCertificate& certificate = proved[entry.leaf];
+        if (certificate.worst.size() == entry.result.worst.size()) certificate.add(entry.chunk, entry.result);
+      });
   for (const Leaf* const leaf : leaves) {
     for (std::uint64_t chunk = shard.index; chunk < leaf->chunks(); chunk += shard.count) {
       if (proved[leaf->name].digests.contains(chunk)) {
@@ -183,7 +186,7 @@ void run_proofs(const std::vector<const Proof*>& proofs, const Shard& shard, con
     using Verdict = ProofResult::Verdict;
     const Proof& proof = *mine[i];
     const std::string name(proof.name);
-    const std::string key = cache.key({"proof", hashes[i]});
+    const std::string key = cache.key({"proof", synthesis.version(), hashes[i]});
     const bool is_known = cache.read(key).has_value();
     const ProofResult result = is_known ? ProofResult{Verdict::kHolds, "", 0} : run_proof(proof, synthesis);
     const bool holds = result.verdict == Verdict::kHolds;

@@ -37,7 +37,7 @@ struct Campaign {
 };
 
 // Proves chunks of leaves on all processors. Each chunk that is done is in the journal, a file of `directory`, at once:
-// a run that was killed goes on there, if program and sources are the same. A certificate to compare with may be
+// a run that was killed goes on there, if program, tools and sources are the same. A certificate to compare with may be
 // given: then other sources, or a chunk that comes out otherwise, is a disagreement.
 Campaign run_campaign(const std::vector<const Leaf*>& leaves, const Shard& shard, const LeafSynthesis& synthesis,
                       const Cache& cache, const std::filesystem::path& directory, const Certificate* against);

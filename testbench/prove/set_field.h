@@ -7,8 +7,8 @@ namespace feline::prove {
 
 // Gives a field of a beat or of a sampler state its raw value.
 template <typename T>
-void set(T& field, std::int64_t raw) {
-  field = T::from_raw(raw);
+void set(T& field, auto raw) {
+  field = T::from_raw(static_cast<std::int64_t>(raw));
 }
 
 }  // namespace feline::prove

@@ -10,6 +10,7 @@ target_compile_options(feline_pruned PRIVATE ${FELINE_WARNINGS})
 target_link_libraries(feline_pruned PRIVATE feline_scenes feline_fast CLI11::CLI11)
 set_source_files_properties(testbench/prune/pruned_main.cpp testbench/prune/profile.cpp testbench/prune/prune.cpp
                             testbench/program/frames.cpp testbench/program/frames_profile.cpp
+                            testbench/program/command_line.cpp testbench/program/subject.cpp testbench/cosim/mismatch.cpp
                             PROPERTIES COMPILE_OPTIONS -O0)
 # Only what knows kUnit is compiled anew for every unit.
 set_property(SOURCE testbench/prune/check.cpp testbench/cosim/cosimulation.cpp testbench/cosim/job.cpp

@@ -10,16 +10,14 @@ namespace feline::coverage {
 namespace {
 
 TEST(coverage_suite, fails_where_the_rtl_is_wrong) {
-  int forgotten = 0;
   for (const Fault& fault : {kFaults[0], kFaults[std::size(kFaults) / 2], kFaults[std::size(kFaults) - 1]}) {
     set_fault(fault.number);
-    const CoveredUnit unit{make_faulty_unit(1), [&] { ++forgotten; }, {}};
+    const CoveredUnit unit{make_faulty_unit(1), [] {}, {}};
     const SuiteResult result = run_suite(unit, 1);
     set_fault(0);
     EXPECT_NE(result.mismatch.find(std::string("MISMATCH at stage ") + fault.stage), std::string::npos)
         << fault.what << ": " << result.mismatch;
   }
-  EXPECT_LE(forgotten, 3);
 }
 
 }  // namespace

@@ -12,7 +12,8 @@ if [[ ${1:-} == --gates ]]; then
   passes="synth -top feline_unit -noabc; abc -fast -g AND,NAND,OR,NOR,XOR,XNOR,MUX; opt_clean"
   shift
 fi
-work=${1:?$usage}
+(($# > 0)) || { echo "$usage" >&2; exit 2; }
+work=$1
 lookups=${2:-40}
 modes=${3:-nearest bilinear trilinear ext simple table}
 rtl="tables/generated/feline_pkg.sv $(echo tables/generated/feline_rom_*.sv) $(echo rtl/*.sv)"

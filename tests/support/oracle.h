@@ -9,6 +9,7 @@
 #include "model/sampler.h"
 #include "tables/sampler_state.h"
 #include "testbench/prove/exact_tables.h"
+#include "testbench/prove/set_field.h"
 
 // The third witness: every stage stated once more, exactly, from the contract comments and the papers. It shares with
 // the model the names of fields and formats, and no arithmetic: rationals of 128-bit integers here, tables by MPFR.
@@ -29,11 +30,7 @@ Wide ceil_of(const Rational& x);
 Wide nearest_up(const Rational& x);    // ties towards plus infinity
 Wide nearest_away(const Rational& x);  // ties away from zero
 
-// Gives a field its raw value.
-template <typename T>
-void set(T& field, Wide raw) {
-  field = T::from_raw(static_cast<std::int64_t>(raw));
-}
+using prove::set;
 
 using State = SamplerState<kDefaultConfig>;
 using Request = RequestBeat<kDefaultConfig>;

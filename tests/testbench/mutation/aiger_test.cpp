@@ -106,6 +106,18 @@ TEST(mutation_aiger, bits_beyond_the_value_are_zeros) {
   EXPECT_EQ(outputs[1].literal, 0U);
   EXPECT_EQ(outputs[2].literal, 6U);
   EXPECT_EQ(outputs[3].literal, 8U);
+  const auto above = with_input(aiger, "x", 1, 64).outputs;
+  EXPECT_EQ(above[0].literal, 2U) << "below the first";
+  EXPECT_EQ(above[1].literal, 1U);
+}
+
+TEST(mutation_aiger, a_pipeline_that_is_longer_is_told) {
+  const Aiger plain = with_input(stage(false), "mutant", 0);
+  EXPECT_TRUE(comes_out(steady_flow(plain, 2)));
+  EXPECT_FALSE(comes_out(steady_flow(plain, 1)));
+  Aiger never = plain;
+  never.outputs.push_back({0, "legal_o"});
+  EXPECT_FALSE(comes_out(steady_flow(never, 2)));
 }
 
 TEST(mutation_aiger, in_steady_flow_registers_are_wires) {
