@@ -215,25 +215,34 @@ void compare_logic(const StageMutants& stage, Fate::Logic wanted, const Workshop
   }
   if (open.empty()) return;
   const bool same = wanted == Fate::Logic::kSame;
-  const std::string key =
-      workshop.cache.key({same ? "same logic" : "observed", workshop.trials, stage.text(), codes_of(open)});
-  std::string known = workshop.cache.read(key).value_or("");
-  if (known.size() != open.size()) {
-    const Aiger logic = read_aiger(stage.logic(mutants));
-    const Aiger right = with_input(logic, "mutant", 0);
-    Progress progress(fmt::format("{}: {}", stage.stage(), same ? "the same logic" : "a difference nobody sees"),
-                      open.size());
-    known.assign(open.size(), static_cast<char>(Verdict::kUnknown));
-    for_each_index(0, static_cast<std::int64_t>(open.size()), [&](std::int64_t i) {
-      const auto place = static_cast<std::size_t>(i);
-      const Aiger wrong = with_input(logic, "mutant", code(mutants[place]));
-      const Verdict verdict = !same                      ? whether_observed(stage, mutants[place], right, wrong)
-                              : same_logic(right, wrong) ? Verdict::kProved
-                                                         : Verdict::kUnknown;
-      known[place] = static_cast<char>(verdict);
-      progress.advance(1);
-    });
-    workshop.cache.write(key, known);
+  constexpr std::size_t kTogether = 50;  // what is lost when it is stopped
+  std::optional<Aiger> logic;
+  std::optional<Aiger> right;
+  std::string known;
+  Progress progress(fmt::format("{}: {}", stage.stage(), same ? "the same logic" : "a difference nobody sees"),
+                    open.size());
+  for (std::size_t first = 0; first < open.size(); first += kTogether) {
+    const auto part = std::span(open).subspan(first, std::min(kTogether, open.size() - first));
+    const std::string key =
+        workshop.cache.key({same ? "same logic" : "observed", workshop.trials, stage.text(), codes_of(part)});
+    std::string verdicts = workshop.cache.read(key).value_or("");
+    if (verdicts.size() != part.size()) {
+      if (!logic) logic = read_aiger(stage.logic(mutants));
+      if (!right) right = with_input(*logic, "mutant", 0);
+      verdicts.assign(part.size(), static_cast<char>(Verdict::kUnknown));
+      for_each_index(0, static_cast<std::int64_t>(part.size()), [&](std::int64_t i) {
+        const auto place = static_cast<std::size_t>(i);
+        const Mutant& mutant = part[place]->mutant;
+        const Aiger wrong = with_input(*logic, "mutant", code(mutant));
+        const Verdict verdict = !same                       ? whether_observed(stage, mutant, *right, wrong)
+                                : same_logic(*right, wrong) ? Verdict::kProved
+                                                            : Verdict::kUnknown;
+        verdicts[place] = static_cast<char>(verdict);
+      });
+      workshop.cache.write(key, verdicts);
+    }
+    progress.advance(part.size());
+    known += verdicts;
   }
   for (std::size_t i = 0; i < open.size(); ++i) {
     const auto verdict = static_cast<Verdict>(known[i]);

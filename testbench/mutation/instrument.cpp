@@ -92,7 +92,7 @@ class Instrumenter {
     site.cell = name;
     site.type = of["type"];
     site.port = port;
-    site.source = of["attributes"].value("src", "");
+    site.source = of["attributes"].value("place", of["attributes"].value("src", ""));
     site.width = static_cast<std::uint32_t>(bits.size());
     for (std::uint32_t place = 0; place < site.width; ++place) {
       const Json& bit = bits[place];

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -31,7 +32,7 @@ constexpr std::array kTierNames{"smoke", "leaves", "unit", "tests"};
 // longest and find no more.
 constexpr const char* kUnitTests = "unit.*:fetch.*:filter.*:accumulate.*:sampler.*";
 constexpr const char* kAllTests = "-*_long.*:invariants.*";
-constexpr unsigned kPatience = 120;  // seconds
+constexpr rlim_t kPatience = 120;  // seconds of a processor
 
 // What a process that tries a mutant leaves behind.
 struct Trace {
@@ -113,7 +114,8 @@ pid_t start(const Trials& trials, std::uint32_t mutant, Trace& trace) {
   if (child < 0) throw std::runtime_error("no process more");
   if (child > 0) return child;
   mutation::current_model_mutant = mutant;
-  alarm(kPatience);
+  const rlimit patience{kPatience, kPatience + 5};
+  setrlimit(RLIMIT_CPU, &patience);
   if (std::freopen("/dev/null", "w", stdout) == nullptr || std::freopen("/dev/null", "w", stderr) == nullptr) _exit(3);
   int code = 1;
   try {
@@ -126,7 +128,7 @@ pid_t start(const Trials& trials, std::uint32_t mutant, Trace& trace) {
 
 std::string_view way(int status) {
   if (!WIFSIGNALED(status)) return "mismatch";
-  return WTERMSIG(status) == SIGALRM ? "no end" : "crash";
+  return WTERMSIG(status) == SIGXCPU ? "no end" : "crash";
 }
 
 class Campaign {

@@ -14,7 +14,7 @@ struct Site {
   std::string cell;          // Yosys' name and type
   std::string type;
   std::string port;
-  std::string source;  // "rtl/feline_walk.sv:42.12-42.30"
+  std::string source;  // "/.../rtl/feline_walk.sv:42.12-42.30"; attribute `place`, or else `src`
   struct Bit {
     std::uint32_t place = 0;
     bool constant = false;

@@ -20,8 +20,11 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
+// Rounded down, so that only all of them are 100 %.
 std::string percent(std::size_t part, std::size_t whole) {
-  return whole == 0 ? "-" : fmt::format("{:.2f} %", 100.0 * static_cast<double>(part) / static_cast<double>(whole));
+  if (whole == 0) return "-";
+  const std::size_t hundredths = 10000 * part / whole;
+  return fmt::format("{}.{:02} %", hundredths / 100, hundredths % 100);
 }
 
 std::size_t at(const std::map<std::string, std::size_t>& counts, const std::string& name) {
@@ -40,6 +43,7 @@ StageResult sum_of(const std::vector<StageResult>& results) {
     sum.unobserved += result.unobserved;
     for (const auto& [mutant, reason] : result.known) sum.known.emplace(result.stage + mutant, reason);
     sum.open.insert(sum.open.end(), result.open.begin(), result.open.end());
+    sum.stale.insert(sum.stale.end(), result.stale.begin(), result.stale.end());
   }
   return sum;
 }
@@ -82,6 +86,8 @@ StageResult judge(const std::string& stage, std::size_t sites, std::vector<Fate>
   const auto reasons = known.find(stage);
   std::vector<double> times;
   for (const Fate& fate : result.fates) {
+    const bool has_reason = reasons != known.end() && reasons->second.contains(fate.name);
+    if (has_reason && (!fate.tier.empty() || fate.proved())) result.stale.push_back(fate.name);
     if (!fate.tier.empty()) {
       ++result.killed[fate.tier];
       if (fate.milliseconds > 0) times.push_back(fate.milliseconds);  // not of what is inferred
@@ -89,35 +95,31 @@ StageResult judge(const std::string& stage, std::size_t sites, std::vector<Fate>
       ++result.same;
     } else if (fate.logic == Fate::Logic::kUnobserved) {
       ++result.unobserved;
+    } else if (has_reason) {
+      result.known[fate.name] = reasons->second.at(fate.name);
     } else {
-      if (reasons != known.end() && reasons->second.contains(fate.name)) {
-        result.known[fate.name] = reasons->second.at(fate.name);
-      } else {
-        result.open.push_back(fate.differs ? fate.name + " (a beat differs, says SAT)" : fate.name);
-      }
+      result.open.push_back(fate.differs ? fate.name + " (a beat differs, says SAT)" : fate.name);
     }
   }
   result.median_milliseconds = median(std::move(times));
   return result;
 }
 
-nlohmann::ordered_json to_json(const std::vector<StageResult>& results, std::uint64_t seed) {
-  nlohmann::ordered_json json{{"seed", seed}, {"stages", nlohmann::ordered_json::object()}};
+nlohmann::ordered_json to_json(const std::vector<StageResult>& results, std::optional<std::uint64_t> seed) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  if (seed) json["seed"] = *seed;
+  json["stages"] = nlohmann::ordered_json::object();
   for (const StageResult& result : results) {
     nlohmann::ordered_json named = nlohmann::ordered_json::object();
     for (const Fate& fate : result.fates) {
       if (fate.stage.empty()) continue;
       named[fate.stage] = named.value(fate.stage, 0) + 1;
     }
-    json["stages"][result.stage] = {{"sites", result.sites},
-                                    {"mutants", result.fates.size()},
-                                    {"killed", result.killed},
-                                    {"named", named},
-                                    {"proved_same", result.same},
-                                    {"proved_unobserved", result.unobserved},
-                                    {"known", result.known},
-                                    {"open", result.open},
-                                    {"median_milliseconds", result.median_milliseconds}};
+    json["stages"][result.stage] = {{"sites", result.sites},      {"mutants", result.fates.size()},
+                                    {"killed", result.killed},    {"named", named},
+                                    {"proved_same", result.same}, {"proved_unobserved", result.unobserved},
+                                    {"known", result.known},      {"open", result.open},
+                                    {"stale", result.stale},      {"median_milliseconds", result.median_milliseconds}};
   }
   return json;
 }
@@ -138,6 +140,7 @@ std::string to_text(const std::vector<StageResult>& results, const std::vector<s
   }
   for (const StageResult& result : results) {
     for (const std::string& name : result.open) out += fmt::format("OPEN: {}: {}\n", result.stage, name);
+    for (const std::string& name : result.stale) out += fmt::format("STALE REASON: {}: {}\n", result.stage, name);
   }
   return out;
 }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct StageResult {
   std::size_t unobserved = 0;
   std::map<std::string, std::string> known;  // not proved, but with a reason
   std::vector<std::string> open;             // nothing is known of these
+  std::vector<std::string> stale;            // with a reason, but killed or proved
   double median_milliseconds = 0;            // to kill
 
   std::size_t kills() const;
@@ -35,7 +37,8 @@ struct StageResult {
 
 StageResult judge(const std::string& stage, std::size_t sites, std::vector<Fate> fates, const KnownSurvivors& known);
 
-nlohmann::ordered_json to_json(const std::vector<StageResult>& results, std::uint64_t seed);
+// `seed`: of the choice of mutants, if there was one.
+nlohmann::ordered_json to_json(const std::vector<StageResult>& results, std::optional<std::uint64_t> seed);
 // A table in Markdown, a row a stage, a column a tier, and the survivors of which nothing is known.
 std::string to_text(const std::vector<StageResult>& results, const std::vector<std::string>& tiers);
 

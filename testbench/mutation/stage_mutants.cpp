@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <regex>
 #include <set>
 #include <stdexcept>
@@ -35,11 +36,45 @@ void run_script(const std::string& script) {
   if (finished.code != 0) throw std::runtime_error(fmt::format("yosys: {}{}", finished.output, finished.errors));
 }
 
-// "rtl/feline_walk.sv:53.19-53.60" of what Yosys has as a chain of places: the innermost.
-std::string innermost(const std::string& source) {
-  const std::string place = source.substr(source.find_last_of('|') + 1);
-  const std::size_t rtl = place.rfind("/rtl/");
-  return rtl == std::string::npos ? place : place.substr(rtl + 1);
+// Keeps where each cell was written: Yosys adds the places of the instances that it flattens.
+void note_places(nlohmann::ordered_json& netlist) {
+  for (auto& [top, module] : netlist["modules"].items()) {
+    for (auto& [name, cell] : module["cells"].items()) {
+      auto& attributes = cell["attributes"];
+      if (attributes.contains("src")) attributes["place"] = attributes["src"];
+    }
+  }
+}
+
+// "u_length" of "$flatten\u_length.$add$...", and of an instance its own name.
+std::string instance_of(std::string_view cell) {
+  constexpr std::string_view kBegin = "$flatten\\";
+  std::vector<std::string_view> names;
+  while (cell.starts_with(kBegin)) {
+    cell.remove_prefix(kBegin.size());
+    const std::size_t end = cell.find(".$");
+    if (end == std::string_view::npos) break;
+    names.push_back(cell.substr(0, end));
+    cell.remove_prefix(end + 1);
+  }
+  if (!cell.starts_with('$')) names.push_back(cell);
+  return fmt::format("{}", fmt::join(names, "."));
+}
+
+// What a site is called; those that would be called alike are numbered.
+std::vector<std::string> site_labels(const std::vector<Site>& sites) {
+  std::map<std::string, int> used;
+  std::vector<std::string> labels;
+  for (const Site& site : sites) {
+    const std::string instance = instance_of(site.cell);
+    const std::size_t rtl = site.source.rfind("/rtl/");
+    std::string label = fmt::format("{}{}{} at {}", site.type, instance.empty() ? "" : " in ", instance,
+                                    rtl == std::string::npos ? site.source : site.source.substr(rtl + 1));
+    const int number = ++used[fmt::format("{}, port {}", label, site.port)];
+    if (number > 1) label += fmt::format(" ({})", number);
+    labels.push_back(fmt::format("{}, port {}", label, site.port));
+  }
+  return labels;
 }
 
 // The stage with its rules: a module that has some of the stage's ports as inputs, and legal_o.
@@ -88,12 +123,19 @@ StageMutants::StageMutants(std::string stage, const std::filesystem::path& sourc
   }
   run_script(fmt::format(
       "read_verilog -sv -noautowire {0}; read_verilog -sv -noautowire -overwrite{1}; "
-      "read_verilog -sv -noautowire -lib -overwrite{2}; hierarchy -check -top {3}; proc; flatten; "
-      "opt_clean; memory_collect; opt_clean; write_json {4}",
+      "read_verilog -sv -noautowire -lib -overwrite{2}; hierarchy -check -top {3}; proc; write_json {4}",
       quoted_path(generated / "feline_pkg.sv"), files(source_ / "rtl", "feline_"), kept, top, quoted_path(plain)));
+  netlist_ = nlohmann::ordered_json::parse(read_text(plain, "netlist", "what Yosys wrote"));
+  note_places(netlist_);
+  write_text(plain, netlist_.dump());
+  run_script(
+      fmt::format("read_json {0}; hierarchy -top {1}; flatten; opt_clean; memory_collect; opt_clean; "
+                  "write_json {0}",
+                  quoted_path(plain), top));
   netlist_ = nlohmann::ordered_json::parse(read_text(plain, "netlist", "what Yosys wrote"));
   InstrumentedStage instrumented = instrument(netlist_, top, nullptr, false);
   sites_ = std::move(instrumented.sites);
+  labels_ = site_labels(sites_);
   const std::filesystem::path json = directory_ / "sites.json";
   write_text(json, instrumented.netlist.dump());
   const std::filesystem::path verilog = directory_ / (top + ".v");
@@ -147,14 +189,16 @@ std::string StageMutants::describe(const Mutant& mutant) const {
   const Site& site = sites_[mutant.site - 1];
   std::string what = kKindNames[static_cast<std::size_t>(mutant.kind)];
   if (mutant.kind >= Kind::kInvertWhenZero) what += fmt::format(" (bit {})", mutant.control);
-  return fmt::format("{} at {}, port {}, bit {} of {}: {}", site.type, innermost(site.source), site.port, mutant.bit,
-                     site.width, what);
+  return fmt::format("{}, bit {} of {}: {}", labels_[mutant.site - 1], mutant.bit, site.width, what);
+}
+
+bool StageMutants::has(std::string_view description) const {
+  return std::ranges::any_of(labels_, [&](const std::string& label) { return description.starts_with(label + ", "); });
 }
 
 bool StageMutants::in_stream(const Mutant& mutant) const {
-  // Of nested instances Yosys tells the places in another order than that of their nesting: any of them counts.
-  const std::string& places = mutant.kind == Kind::kRomBit ? std::string() : sites_[mutant.site - 1].source;
-  return places.find("/rtl/") == std::string::npos || places.find("/feline_stream_register.sv") != std::string::npos;
+  const std::string& place = mutant.kind == Kind::kRomBit ? std::string() : sites_[mutant.site - 1].source;
+  return place.find("/rtl/") == std::string::npos || place.find("/feline_stream_register.sv") != std::string::npos;
 }
 
 std::string StageMutants::logic(const std::vector<Mutant>& mutants) const {

@@ -29,8 +29,12 @@ class StageMutants {
   // What a result follows from.
   const std::string& text() const { return text_; }
 
-  // "$add at rtl/feline_walk.sv:53.19-53.60, port B, bit 2 of 10: invert", "ROM weight, word 17, bit 3".
+  // "$add at rtl/feline_walk.sv:53.19-53.60, port B, bit 2 of 10: invert", "$mux in u_length at ...", "ROM weight, word
+  // 17, bit 3". No two mutants of a stage are described alike.
   std::string describe(const Mutant& mutant) const;
+
+  // Whether a mutant is described so.
+  bool has(std::string_view description) const;
 
   // Whether it may touch valid or ready, or when a register takes what it holds: not in a module of the stage's
   // arithmetic.
@@ -49,6 +53,7 @@ class StageMutants {
   std::filesystem::path source_, directory_;
   nlohmann::ordered_json netlist_;
   std::vector<Site> sites_;
+  std::vector<std::string> labels_;  // of the sites
   std::vector<Rom> roms_;
   std::string text_;
 };

@@ -41,10 +41,25 @@ std::vector<std::string> chosen_stages(const std::string& text) {
   return chosen;
 }
 
+std::filesystem::path known_file(const MutateOptions& options) {
+  if (!options.known.empty()) return options.known;
+  return std::filesystem::path(options.source) / "testbench/mutation/survivors.json";
+}
+
+void check_known(const mutation::StageMutants& stage, const mutation::KnownSurvivors& known,
+                 const MutateOptions& options) {
+  const auto reasons = known.find(stage.stage());
+  if (reasons == known.end()) return;
+  for (const auto& [mutant, reason] : reasons->second) {
+    if (!stage.has(mutant)) bad_input(known_file(options).string(), stage.stage(), mutant, "a mutant of this stage");
+  }
+}
+
 mutation::StageResult run_stage(const std::string& name, const MutateOptions& options,
                                 const mutation::Workshop& workshop, const mutation::KnownSurvivors& known) {
   std::filesystem::create_directories(workshop.directory / name);
   const mutation::StageMutants stage(name, workshop.source, workshop.directory / name);
+  check_known(stage, known, options);
   std::vector<mutation::Fate> fates;
   const auto mutants = options.roms ? mutation::rom_mutants(stage.roms())
                                     : mutation::draw_mutants(stage.sites(), options.count, options.seed);
@@ -65,9 +80,7 @@ int run_mutate(const MutateOptions& options) {
   const std::vector<std::string> stages = chosen_stages(options.stages);
   mutation::check_sources(options.source);
   const std::filesystem::path directory = std::filesystem::absolute(options.output);
-  const std::filesystem::path own = std::filesystem::path(options.source) / "testbench/mutation/survivors.json";
-  const mutation::KnownSurvivors known =
-      mutation::read_known_survivors(options.known.empty() ? own : std::filesystem::path(options.known));
+  const mutation::KnownSurvivors known = mutation::read_known_survivors(known_file(options));
   prepare_directory(options.output, {"mutation.json", "mutation.md"});
   const Cache cache(directory / "cache");
   const mutation::Workshop workshop{options.source, directory, cache, mutation::trials_hash(options.source)};
@@ -82,7 +95,8 @@ int run_mutate(const MutateOptions& options) {
   const std::vector<std::string> tiers =
       options.model ? std::vector<std::string>{"smoke", "leaves", "unit", "tests"}
                     : std::vector<std::string>{"smoke", "close", "pace", "suite", "exhaustive", "long"};
-  const std::string json = to_json(results, options.seed).dump(1) + "\n";
+  const bool all = options.roms || options.model;
+  const std::string json = to_json(results, all ? std::nullopt : std::optional(options.seed)).dump(1) + "\n";
   const std::string text = to_text(results, tiers);
   OutputFiles outputs;
   outputs.write(directory / "mutation.json", json);
@@ -90,7 +104,7 @@ int run_mutate(const MutateOptions& options) {
   outputs.commit();
   fmt::print("{}", options.json ? json : text);
   for (const mutation::StageResult& result : results) {
-    if (!result.open.empty()) return kBroken;
+    if (!result.open.empty() || !result.stale.empty()) return kBroken;
   }
   return kHolds;
 }
@@ -105,8 +119,8 @@ void add_mutate(CLI::App& program, int& exit_code) {
       "A mutant is a bit of an operator's port, inverted, stuck, or inverted by another bit, as in Yosys' mutate; one\n"
       "build of a stage runs all of its mutants. Those that the first trial does not kill are compared with the stage\n"
       "by SAT; what is neither killed nor proved the same must be in testbench/mutation/survivors.json with a reason,\n"
-      "or the exit code is 1. Goes on where it was stopped. Those of the model are tried on the leaves of feline\n"
-      "prove and on the model's tests.\n"
+      "or the exit code is 1, as for a reason of one that is killed or proved. Goes on where it was stopped. Those of\n"
+      "the model are tried on the leaves of feline prove and on the model's tests.\n"
       "Example: feline mutate --stage walk,plan --count 2000 --output mutants");
   CLI::Option* const stage = command
                                  ->add_option("--stage", options->stages,
@@ -116,14 +130,15 @@ void add_mutate(CLI::App& program, int& exit_code) {
       command->add_option("--count", options->count, "mutants of each stage, or as many as there are")
           ->check(whole_number(1, 1000000))
           ->capture_default_str();
-  CLI::Option* const roms = command->add_flag("--roms", options->roms, "instead every bit of every ROM of the stage");
+  CLI::Option* const seed = command->add_option("--seed", options->seed, "of the choice of mutants")
+                                ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
+                                ->capture_default_str();
+  CLI::Option* const roms =
+      command->add_flag("--roms", options->roms, "instead every bit of every ROM of the stage")->excludes(count, seed);
   command
       ->add_flag("--model", options->model,
                  "instead the model's sources: every operator, condition, number and value, against exact arithmetic")
-      ->excludes(stage, count, roms);
-  command->add_option("--seed", options->seed, "of the choice of mutants")
-      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
-      ->capture_default_str();
+      ->excludes(stage, count, seed, roms);
   command->add_option("--known", options->known, "survivors with reasons, instead of the sources' own");
   command->add_option("--source", options->source, "the project's sources")->capture_default_str();
   command->add_option("--output", options->output, "directory for mutants, builds, mutation.json and mutation.md")

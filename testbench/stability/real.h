@@ -12,7 +12,10 @@ namespace feline {
 // A real number of 200 bits (MPFR), rounded to nearest: 150 bits more than any table needs.
 class Real {
  public:
-  Real() { mpfr_init2(value_, 200), mpfr_set_zero(value_, 1); }
+  Real() {
+    static thread_local const Caches caches;
+    mpfr_init2(value_, 200), mpfr_set_zero(value_, 1);
+  }
   Real(double value) : Real() { mpfr_set_d(value_, value, MPFR_RNDN); }  // NOLINT(google-explicit-constructor)
   Real(const Real& other) : Real() { mpfr_set(value_, other.value_, MPFR_RNDN); }
   Real& operator=(const Real& other) {
@@ -67,6 +70,11 @@ class Real {
   double to_double() const { return mpfr_get_d(value_, MPFR_RNDN); }
 
  private:
+  // What MPFR keeps for each thread, which ends with the thread only if told so.
+  struct Caches {
+    ~Caches() { mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE); }
+  };
+
   template <typename F>
   static Real one(F function, const Real& a) {
     Real result;
