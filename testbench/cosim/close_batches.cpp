@@ -33,8 +33,11 @@ Sums exact_sums(const Lookup& lookup, const SamplerState<kUnit>& sampler, const 
 // By how much a sum is past the last value at which the pixel's code goes up, in steps of the sum.
 std::int64_t beyond(std::int64_t sum) { return (sum + kOne / 2) & (kOne - 1); }
 
-SamplerOptions blending_sampler(SplitMix64& random) {
+// At an edge: with the border around the texture, whose alpha alone has fraction bits.
+SamplerOptions blending_sampler(SplitMix64& random, bool at_edge) {
   SamplerChoices choices;
+  const bool has_border = std::ranges::find(choices.wraps, Wrap::kClampToBorder) != choices.wraps.end();
+  if (at_edge && has_border) choices.wraps = {Wrap::kClampToBorder};
   std::erase_if(choices.modes, [](Mode mode) { return mode == Mode::kNearest || mode == Mode::kBilinear; });
   SamplerOptions options = random_sampler(random, choices);
   const SamplerOptions plain;
@@ -44,21 +47,30 @@ SamplerOptions blending_sampler(SplitMix64& random) {
   return options;
 }
 
+// Near the texture's edges.
+float edge_coordinate(SplitMix64& random) {
+  return static_cast<float>(random.below(2)) + static_cast<float>(0.4 * random.unit() - 0.2);
+}
+
 // A texture with one lookup, and what each code of a texel gives to its sums.
 class Steered {
  public:
-  explicit Steered(SplitMix64& random)
+  Steered(SplitMix64& random, bool at_edge)
       : texture_(random_texture(random, TexelFormat::kRgba8, random.below(2) != 0, kSize, kSize, kLevels)),
-        options_(blending_sampler(random)),
-        lookup_(random_lookup(random, kSize, kSize)) {}
+        options_(blending_sampler(random, at_edge)),
+        lookup_(random_lookup(random, kSize, kSize)) {
+    at_edge_ = at_edge && options_.wrap_s == Wrap::kClampToBorder;
+    if (at_edge) lookup_.s = edge_coordinate(random), lookup_.t = edge_coordinate(random);
+  }
 
   // Chooses four texels so that each channel's sum is next to where its code goes up. False when the lookup touches
-  // fewer.
+  // fewer, or, at an edge, when alpha's sum is of whole codes, as most borders leave it.
   bool steer(SplitMix64& random) {
     const std::vector<std::uint8_t*> free = finest();
     if (free.size() < kFree) return false;
     for (std::uint8_t* const texel : free) std::fill_n(texel, 4, std::uint8_t{0});
     const Sums rest = sums();
+    if (at_edge_ && rest[3] % (1 << F::kChannel.fraction_bits) == 0) return false;
     std::array<std::array<Sums, kCodes>, kFree> gives{};
     for (std::size_t i = 0; i < kFree; ++i) {
       for (std::size_t code = 0; code < kCodes; ++code) {
@@ -136,6 +148,7 @@ class Steered {
   Texture texture_;
   SamplerOptions options_;
   Lookup lookup_;
+  bool at_edge_ = false;
 };
 
 }  // namespace
@@ -143,8 +156,12 @@ class Steered {
 CloseBatches::Close CloseBatches::choose(std::uint64_t seed, std::uint64_t number) {
   SplitMix64 random(derived_seed(seed, number));
   for (;;) {
-    Steered steered(random);
-    if (steered.steer(random)) return {steered.sampler(), steered.memory(), steered.lookup()};
+    Steered steered(random, number % 2 != 0);
+    if (steered.steer(random)) {
+      Close close{steered.sampler(), steered.memory(), {}};
+      close.lookups.fill(steered.lookup());
+      return close;
+    }
   }
 }
 
@@ -156,12 +173,12 @@ CloseBatches::CloseBatches(std::uint64_t seed, std::uint64_t lookups) : batches_
 
 Batch CloseBatches::operator[](std::size_t i) const {
   const Close& close = batches_[i];
-  return {close.sampler, &close.memory, {&close.lookup, 1}, i, false, {}};
+  return {close.sampler, &close.memory, close.lookups, i * close.lookups.size(), false, {}};
 }
 
 std::int64_t CloseBatches::distance(std::size_t i, std::size_t channel) const {
   const Close& close = batches_[i];
-  const std::int64_t steps = beyond(exact_sums(close.lookup, close.sampler, close.memory)[channel]);
+  const std::int64_t steps = beyond(exact_sums(close.lookups.front(), close.sampler, close.memory)[channel]);
   return steps < kOne / 2 ? steps : steps - kOne;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -10,14 +11,17 @@ namespace feline {
 
 // Lookups whose textures are chosen so that the exact sum of every channel all but rounds the other way in accumulate,
 // or is a tie: the least significant bit of every product and carry decides. Random lookups that blend two levels;
-// random texels, of which four, found by meeting in the middle, bring the sum where it is wanted.
+// random texels, of which four, found by meeting in the middle, bring the sum where it is wanted. Each several times,
+// so that one may wait for another.
 class CloseBatches {
  public:
+  static constexpr std::size_t kCopies = 4;
+
   // Of two processors half a minute a thousand.
   CloseBatches(std::uint64_t seed, std::uint64_t lookups);
 
   std::size_t size() const { return batches_.size(); }
-  // One lookup.
+  // kCopies of one lookup.
   Batch operator[](std::size_t i) const;
   // Of a channel, the steps of its exact sum from where it begins to round to the next code.
   std::int64_t distance(std::size_t i, std::size_t channel) const;
@@ -26,7 +30,7 @@ class CloseBatches {
   struct Close {
     SamplerState<kUnit> sampler;
     TextureMemory memory;
-    Lookup lookup;
+    std::array<Lookup, kCopies> lookups;
   };
   static Close choose(std::uint64_t seed, std::uint64_t number);
 

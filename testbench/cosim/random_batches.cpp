@@ -84,6 +84,22 @@ Lookup directed(SplitMix64& random, int width, int height) {
   return lookup;
 }
 
+// Derivatives whose significands are a few high bits and one low bit, or the ones below it: what group drops of each
+// is all but 0, all but a half, or all but one.
+Lookup aligned(SplitMix64& random, int width, int height) {
+  Lookup lookup = tame(random, width, height);
+  const std::uint32_t largest = 108 + random.below(24);
+  for (std::uint32_t number = 2; number < kOperands; ++number) {
+    const std::uint32_t exponent = largest - random.below(random.below(2) != 0 ? 8 : 40);
+    const std::uint32_t high = random.below(1U << 23) & ~((1U << 23 >> random.below(9)) - 1);
+    const std::uint32_t low = 1U << random.below(23);
+    const std::uint32_t significand = high | (random.below(4) != 0 ? low : low - 1);
+    if (random.below(8) == 0) continue;
+    operand(lookup, number) = from_bits(random.below(2) << 31 | exponent << 23 | significand);
+  }
+  return lookup;
+}
+
 Lookup patterned(SplitMix64& random, int width, int height, std::uint64_t number) {
   Lookup lookup = tame(random, width, height);
   operand(lookup, static_cast<std::uint32_t>(number % kOperands)) =
@@ -180,8 +196,13 @@ SamplerOptions random_sampler(SplitMix64& random, const SamplerChoices& choices)
 }
 
 Lookup random_lookup(SplitMix64& random, int width, int height) {
-  const std::uint32_t kind = random.below(8);
-  return kind < 5 ? tame(random, width, height) : kind < 7 ? directed(random, width, height) : wild(random);
+  switch (random.below(9)) {
+    case 0: return wild(random);
+    case 1: return aligned(random, width, height);
+    case 2:
+    case 3: return directed(random, width, height);
+    default: return tame(random, width, height);
+  }
 }
 
 RandomBatches::RandomBatches(std::uint64_t seed, std::uint64_t batch_lookups)

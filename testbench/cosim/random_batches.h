@@ -12,7 +12,7 @@ namespace feline {
 SamplerOptions random_sampler(SplitMix64& random, const SamplerChoices& choices);
 // Random texels on so many levels, or as many as there are.
 Texture random_texture(SplitMix64& random, TexelFormat format, bool srgb, int width, int height, int levels);
-// Tame footprints, every float32 class in every operand, and arbitrary bits.
+// Tame footprints, every float32 class in every operand, arbitrary bits, and derivatives that nearly round otherwise.
 Lookup random_lookup(SplitMix64& random, int width, int height);
 
 // A batch of random and directed lookups under a random legal sampler and a random small texture, all of it a function

@@ -243,7 +243,7 @@ Json to_json(const Certificate& certificate) {
     if (it == certificate.proofs.end()) continue;
     proofs.push_back({{"proof", proof.name},
                       {"claim", proof.claim},
-                      {"method", proof.method == Proof::Method::kEquivalence ? "abc &cec" : "abc pdr"},
+                      {"method", method_name(proof)},
                       {"controls", proof.controls.size()},
                       {"hash", it->second}});
   }

@@ -129,10 +129,12 @@ std::string LeafSynthesis::leaf_hash(std::string_view wrapper) const {
   return fmt::format("{:016x}", XXH3_64bits(text.data(), text.size()));
 }
 
-std::string LeafSynthesis::proof_text(std::string_view proof, const Change* change) const {
+std::string LeafSynthesis::proof_text(std::string_view proof, const Change* change, bool wires) const {
   const std::string top = fmt::format("feline_proof_{}", proof);
-  std::string text = closure(top, proofs_, change);
-  if (change != nullptr && text == closure(top, proofs_, nullptr)) {
+  std::vector<Module> own = proofs_;
+  if (wires) own.push_back(*std::ranges::find(leaves_, "feline_stream_register", &Module::name));
+  std::string text = closure(top, own, change);
+  if (change != nullptr && text == closure(top, own, nullptr)) {
     bad_input((root_ / change->file).string(), "text of a proof's control", "nothing changed", "a module of the proof");
   }
   return text;

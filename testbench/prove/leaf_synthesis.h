@@ -32,7 +32,8 @@ class LeafSynthesis {
   struct Change {
     std::string_view file, original, mutant;
   };
-  std::string proof_text(std::string_view proof, const Change* change) const;
+  // With `wires` the stream register is the leaves', wires.
+  std::string proof_text(std::string_view proof, const Change* change, bool wires) const;
 
  private:
   struct Module {

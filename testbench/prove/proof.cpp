@@ -19,7 +19,26 @@ constexpr int kPatience = 600;
 
 constexpr std::string_view kNeed = "proofs need it";
 
+// How ABC is asked about a circuit {0} for {1} seconds at most, and what it then says.
+struct Engine {
+  std::string_view name;
+  std::string_view commands;
+  std::string_view never;
+  std::string_view begins;  // also said, of the first cycles alone
+  std::string_view sometimes;
+};
+constexpr Engine kEngines[]{
+    {"abc &cec", "&r {0}; &cec -m -C 1000000000 -T {1}", "Networks are equivalent", "", "NOT EQUIVALENT"},
+    {"abc pdr", "read_aiger {0}; strash; scleanup; scorr; pdr -T {1}", "Property proved", "", "was asserted in frame"},
+    {"abc ind", "read_aiger {0}; strash; scleanup; scorr; bmc3 -F 3 -T {1}; ind -F 2 -T {1}", "Networks are equivalent",
+     "No output asserted in 3 frames", "was asserted in frame"},
+};
+
 enum class Answer { kNever, kSometimes, kUnknown };
+
+std::string proof_text(const Proof& proof, const LeafSynthesis& synthesis, const Proof::Control* control) {
+  return synthesis.proof_text(proof.name, control, proof.registers == Proof::Registers::kWires);
+}
 
 // Whether broken_o can be 1 in this Verilog; `said` is what ABC says of it.
 Answer ask(const Proof& proof, const std::string& verilog, std::string& said) {
@@ -27,24 +46,22 @@ Answer ask(const Proof& proof, const std::string& verilog, std::string& said) {
   const AtomicFile source(work / "feline-proof.sv");
   const AtomicFile circuit(work / "feline-proof.aig");
   write_text(source.temporary(), verilog);
-  const bool has_state = proof.method == Proof::Method::kReachability;
+  const Engine& engine = kEngines[static_cast<std::size_t>(proof.method)];
   const std::string script = fmt::format(
       "read_verilog -sv -noautowire \"{0}\"\nhierarchy -check -top feline_proof_{1}\nproc\nflatten\nopt -full\n"
       "memory_map\nopt\ndffunmap\nsetundef -zero -undriven\nsetundef -zero\ntechmap\nopt -fast\ndffunmap\n"
       "setundef -zero\naigmap\nopt_clean -purge\nwrite_aiger {2} \"{3}\"",
-      source.temporary().string(), proof.name, has_state ? "-zinit" : "", circuit.temporary().string());
+      source.temporary().string(), proof.name, proof.method == Proof::Method::kEquivalence ? "" : "-zinit",
+      circuit.temporary().string());
   const page::Finished yosys = run_yosys({"-q", "-p", script}, kNeed);
   if (yosys.code != 0) throw InputError(fmt::format("yosys: exit code {}: {}", yosys.code, yosys.errors));
-  const std::string commands =
-      has_state
-          ? fmt::format("read_aiger {}; strash; scleanup; scorr; pdr -T {}", circuit.temporary().string(), kPatience)
-          : fmt::format("&r {}; &cec -m -C 1000000000 -T {}", circuit.temporary().string(), kPatience);
-  const page::Finished abc = run_abc(commands, kNeed);
-  const auto says = [&](std::string_view text) { return abc.output.find(text) != std::string::npos; };
+  const page::Finished abc =
+      run_abc(fmt::format(fmt::runtime(engine.commands), circuit.temporary().string(), kPatience), kNeed);
   said = abc.output + abc.errors;
+  const auto says = [&](std::string_view text) { return said.find(text) != std::string::npos; };
   if (abc.code != 0) return Answer::kUnknown;
-  if (has_state ? says("Property proved") : says("Networks are equivalent")) return Answer::kNever;
-  if (has_state ? says("was asserted in frame") : says("NOT EQUIVALENT")) return Answer::kSometimes;
+  if (says(engine.sometimes)) return Answer::kSometimes;
+  if (says(engine.never) && says(engine.begins)) return Answer::kNever;
   return Answer::kUnknown;
 }
 
@@ -55,10 +72,10 @@ ProofResult run_proof(const Proof& proof, const LeafSynthesis& synthesis) {
   const auto start = std::chrono::steady_clock::now();
   ProofResult result;
   const auto decide = [&] {
-    const Answer answer = ask(proof, synthesis.proof_text(proof.name, nullptr), result.said);
+    const Answer answer = ask(proof, proof_text(proof, synthesis, nullptr), result.said);
     if (answer != Answer::kNever) return answer == Answer::kSometimes ? Verdict::kBroken : Verdict::kUndecided;
     for (const Proof::Control& control : proof.controls) {
-      const Answer with_bug = ask(proof, synthesis.proof_text(proof.name, &control), result.said);
+      const Answer with_bug = ask(proof, proof_text(proof, synthesis, &control), result.said);
       if (with_bug == Answer::kSometimes) continue;
       result.said += fmt::format("control: {}: {}\n", control.file, control.mutant);
       return with_bug == Answer::kNever ? Verdict::kControlNotFound : Verdict::kUndecided;
@@ -70,11 +87,14 @@ ProofResult run_proof(const Proof& proof, const LeafSynthesis& synthesis) {
   return result;
 }
 
+std::string_view method_name(const Proof& proof) { return kEngines[static_cast<std::size_t>(proof.method)].name; }
+
 std::string proof_hash(const Proof& proof, const LeafSynthesis& synthesis) {
-  std::string all = fmt::format("{} ", proof.name) + synthesis.proof_text(proof.name, nullptr);
+  std::string all = fmt::format("{} {} ", proof.name, kEngines[static_cast<std::size_t>(proof.method)].commands) +
+                    proof_text(proof, synthesis, nullptr);
   for (const Proof::Control& control : proof.controls) {
-    synthesis.proof_text(proof.name, &control);
-    all += fmt::format(" {} {}", control.file, control.mutant);
+    proof_text(proof, synthesis, &control);
+    all += fmt::format(" {} {} {}", control.file, control.original, control.mutant);
   }
   return fmt::format("{:016x}", XXH3_64bits(all.data(), all.size()));
 }

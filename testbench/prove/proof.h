@@ -16,7 +16,9 @@ struct Proof {
   enum class Method {
     kEquivalence,   // of a module without state: SAT sweeping (&cec)
     kReachability,  // from reset, for ever: property-directed reachability (pdr)
+    kInduction,     // from reset, for ever: if it holds in a cycle, it holds in the next (bmc3, ind)
   };
+  enum class Registers { kReal, kWires };  // kWires: in stream registers' place, as in the leaves
   // A bug for the same proof to find, or it shows nothing: a text that is once in a file of the RTL, and what it
   // becomes.
   using Control = LeafSynthesis::Change;
@@ -25,6 +27,7 @@ struct Proof {
   std::string_view claim;
   Method method;
   std::vector<Control> controls;  // each must be found
+  Registers registers = Registers::kReal;
 };
 
 const std::vector<Proof>& all_proofs();
@@ -35,11 +38,14 @@ struct ProofResult {
   double seconds = 0;
 };
 
+// "abc pdr".
+std::string_view method_name(const Proof& proof);
+
 // Throws InputError when a tool is missing or does not take the files.
 ProofResult run_proof(const Proof& proof, const LeafSynthesis& synthesis);
 
-// Of the proof, its controls and all that it is made from, in hex. Throws InputError for a control that is not once in
-// its file.
+// Of the proof, its method, its controls and all that it is made from, in hex. Throws InputError for a control that is
+// not once in its file.
 std::string proof_hash(const Proof& proof, const LeafSynthesis& synthesis);
 
 }  // namespace feline::prove

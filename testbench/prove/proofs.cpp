@@ -6,6 +6,7 @@ namespace {
 
 using Method = Proof::Method;
 using Control = Proof::Control;
+using Registers = Proof::Registers;
 
 // A register that takes the next beat's data while the one that it offers still waits.
 constexpr Control kDataMovesTooEarly{"rtl/feline_stream_register.sv", "if (ready_o && valid_i) data_q <= data_i;",
@@ -95,9 +96,30 @@ const std::vector<Proof>& proofs() {
          "assign texels_ready_o = words_ready_i;"},
         {"rtl/feline_blocking_cache.sv", "Request: if (memory_request_ready_i) state_q <= Respond;",
          "Request: state_q <= Respond;"}}},
+      {"cached_words",
+       "fetch with four lines in each half, never flushed: each word is that of its line in memory",
+       Method::kReachability,
+       {{"rtl/feline_tile_cache.sv", "present_o[i] = valid_q[set] && line_q", "present_o[i] = line_q"},
+        {"rtl/feline_blocking_cache.sv", "if (rst_i || (texels_valid_i && texels_ready_o))", "if (rst_i)"}}},
       {"filter_stream",
        "filter: no beat lost, repeated, overtaken or changed, the header passes; three inside at most; one a cycle",
        Method::kReachability, stream_controls()},
+      {"filter_tree",
+       "filter is a tree of feline_interpolate",
+       Method::kEquivalence,
+       {{"rtl/feline_filter.sv", ".a_i(fetch_i.fine_01), .b_i(fetch_i.fine_11), .fraction_i(fine_x)",
+         ".a_i(fetch_i.fine_01), .b_i(fetch_i.fine_11), .fraction_i(coarse_x)"},
+        {"rtl/feline_filter.sv", "gaussian = sampler_i.kernel == feline_pkg::KernelGaussian && fetch_i.linear",
+         "gaussian = sampler_i.kernel == feline_pkg::KernelGaussian"}},
+       Registers::kWires},
+      {"sum_bound",
+       "accumulate: the sum does not overflow",
+       Method::kInduction,
+       {{"rtl/feline_accumulate.sv", "carried + weighted_q.colour[c*SumWidth +: SumWidth];",
+         "carried[SumWidth-2:0] + weighted_q.colour[c*SumWidth +: SumWidth];"},
+        {"rtl/feline_accumulate.sv", "localparam logic [SumWidth-1:0] Half = SumWidth'(1) << (Dropped - 1);",
+         "localparam logic [SumWidth-1:0] Half = SumWidth'(1) << Dropped;"}},
+       Registers::kWires},
       {"accumulate_stream",
        "accumulate: a pixel of each last beat, in order, with its tag and status; one beat a cycle",
        Method::kReachability,
