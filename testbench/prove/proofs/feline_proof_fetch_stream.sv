@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // fetch, with caches of four lines, whatever the memory does: no beat lost, repeated, overtaken or changed; a request
-// that is offered to the memory stays. That texels are those of the lines is left to co-simulation.
+// that is offered to the memory stays. That words are those of the lines: feline_proof_cached_words.
 `default_nettype none
 
 module feline_proof_fetch_stream (

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// filter is a tree of feline_interpolate, each of which the leaves enumerate: along x, along y, between the levels, each
+// filter is a tree of feline_interpolate, the first of which a leaf enumerates: along x, along y, between the levels, each
 // channel by itself; the fractions along x and y by the kernel. Registers are wires here.
 `default_nettype none
 
