@@ -7,6 +7,7 @@
 
 #include "model/lookup.h"
 #include "tables/pack.h"
+#include "testbench/median.h"
 #include "testbench/progress.h"
 #include "testbench/thread_time.h"
 
@@ -17,12 +18,6 @@ struct Made {
   std::vector<AccumulateBeat<kDefaultConfig>> pixels;
   std::vector<PlanBeat<kDefaultConfig>> plans;
 };
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
 
 // Nanoseconds for all lookups; `sample` makes a pixel and hands its plan to a trace.
 template <typename Sample>

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The tests under the address and undefined behaviour sanitizers: those whose name matches, or every third one.
-# usage: tests/sanitize.sh [--third 0|1|2] [CTEST_REGEX]
+# The tests under the address and undefined behaviour sanitizers: those whose name matches, or every fourth one.
+# usage: tests/sanitize.sh [--quarter 0|1|2|3] [CTEST_REGEX]
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source testbench/build.sh
@@ -10,8 +10,8 @@ chosen=()
 case ${1:-}${2:-} in
   # Those left out wait for Yosys and for units that are built without sanitizers.
   '') chosen=(-E '(gates|savings|prune_program)_long') ;;
-  --third[012]) chosen=(-I "$((1 + $2)),,3" -E '(gates|savings|prune_program)_long') ;;
-  -*) echo "usage: tests/sanitize.sh [--third 0|1|2] [CTEST_REGEX]" >&2; exit 2 ;;
+  --quarter[0123]) chosen=(-I "$((1 + $2)),,4" -E '(gates|savings|prune_program)_long') ;;
+  -*) echo "usage: tests/sanitize.sh [--quarter 0|1|2|3] [CTEST_REGEX]" >&2; exit 2 ;;
   *) chosen=(-R "$1") ;;
 esac
 feline_install_long_tests

@@ -9,6 +9,7 @@
 #include "testbench/area/yosys.h"
 #include "testbench/atomic_file.h"
 #include "testbench/error.h"
+#include "testbench/text_file.h"
 
 namespace feline {
 namespace {

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
 #include <system_error>
 
 #include "testbench/error.h"
@@ -36,20 +34,6 @@ page::Finished run_abc(const std::string& commands, std::string_view needs_it) {
 std::string yosys_version(std::string_view needs_it) {
   const page::Finished told = run_yosys({"-V"}, needs_it);
   return told.output.substr(0, told.output.find(" ("));
-}
-
-std::string read_text(const std::filesystem::path& path, std::string_view field, std::string_view legal) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path)) {
-    bad_input(path.string(), field, "no file that can be read", legal);
-  }
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-void write_text(const std::filesystem::path& path, std::string_view text) {
-  std::ofstream out(path, std::ios::binary);
-  out << text;
-  if (!out.flush()) bad_input(path.string(), "write", "an error", "room in the temporary directory");
 }
 
 }  // namespace feline

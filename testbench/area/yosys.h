@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,10 +16,5 @@ page::Finished run_abc(const std::string& commands, std::string_view needs_it);
 
 // "Yosys 0.23".
 std::string yosys_version(std::string_view needs_it);
-
-// Throws InputError naming the file, `field` and what would be legal.
-std::string read_text(const std::filesystem::path& path, std::string_view field, std::string_view legal);
-// A temporary file's contents. Throws InputError.
-void write_text(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace feline

@@ -5,28 +5,21 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <fstream>
 #include <optional>
 
 #include "testbench/error.h"
+#include "testbench/text_number.h"
 
 namespace feline::coverage {
 namespace {
-
-std::optional<int> whole_number(std::string_view text) {
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
 
 // "7..9"
 std::optional<std::pair<int, int>> range_of(std::string_view item) {
   const std::size_t dots = item.find("..");
   if (dots == std::string_view::npos) return std::nullopt;
-  const auto first = whole_number(item.substr(0, dots));
-  const auto last = whole_number(item.substr(dots + 2));
+  const auto first = number_of<int>(item.substr(0, dots));
+  const auto last = number_of<int>(item.substr(dots + 2));
   if (!first || !last) return std::nullopt;
   return std::pair{*first, *last};
 }
@@ -41,7 +34,7 @@ Places after_numbers(std::pair<int, int> range, std::string_view name, const Pla
     if (!from[place]) continue;
     const std::string_view rest = name.substr(place);
     const std::size_t digits = std::min(rest.find_first_not_of("0123456789"), rest.size());
-    const auto number = whole_number(rest.substr(0, digits));
+    const auto number = number_of<int>(rest.substr(0, digits));
     if (number && *number >= range.first && *number <= range.second) after[place + digits] = true;
   }
   return after;

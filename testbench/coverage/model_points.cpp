@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <optional>
 #include <regex>
 
 #include "testbench/error.h"
+#include "testbench/text_number.h"
 
 namespace feline::coverage {
 namespace {
@@ -94,10 +94,9 @@ class Reader {
   }
 
   int number(const std::string& text) const {
-    int value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) fail("line or column", text, "a number");
-    return value;
+    const auto value = number_of<int>(text);
+    if (!value) fail("line or column", text, "a number");
+    return *value;
   }
 
   void finish_source() {

@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <fstream>
 #include <optional>
 
 #include "testbench/error.h"
+#include "testbench/text_number.h"
 
 namespace feline::coverage {
 namespace {
@@ -17,14 +17,6 @@ constexpr std::string_view kUnitScope = "TOP.feline_bench.u_unit";
 // The body of a process, or of a loop in it, is entered without a condition. Of combinational processes Verilator moves
 // the counter to where the design settles, once.
 constexpr std::string_view kUnconditional = "block";
-
-template <typename Number>
-std::optional<Number> number(std::string_view text) {
-  Number value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
 
 struct Record {
   std::map<std::string, std::string, std::less<>> values;
@@ -41,7 +33,7 @@ std::optional<Record> parse(std::string_view text) {
   const std::size_t end = text.rfind("' ");
   if (!text.starts_with(kBegin) || end == std::string_view::npos || end < kBegin.size()) return std::nullopt;
   Record record;
-  const auto count = number<std::uint64_t>(text.substr(end + 2));
+  const auto count = number_of<std::uint64_t>(text.substr(end + 2));
   if (!count) return std::nullopt;
   record.count = *count;
   std::string_view rest = text.substr(kBegin.size(), end - kBegin.size());
@@ -92,7 +84,7 @@ std::vector<Point> read_rtl_points(const std::filesystem::path& file, SourceText
     if (!kind) fail("page", record->get("page"), "v_line/, v_branch/ or v_toggle/");
     const auto instance = instance_of(record->get("h"));
     if (!instance) fail("h", record->get("h"), fmt::format("{} or an instance of it", kUnitScope));
-    const auto source_line = number<int>(record->get("l"));
+    const auto source_line = number_of<int>(record->get("l"));
     if (!source_line) fail("l", record->get("l"), "a line's number");
     if (record->get("f").empty()) fail("f", "", "a source's name");
     Point point;

@@ -4,8 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <stdexcept>
+
+#include "testbench/text_number.h"
 
 namespace feline::mutation {
 namespace {
@@ -44,10 +45,9 @@ class Reader {
 };
 
 std::uint32_t number(std::string_view text) {
-  std::uint32_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) Reader::fail("no number: " + std::string(text));
-  return value;
+  const auto value = number_of<std::uint32_t>(text);
+  if (!value) Reader::fail("no number: " + std::string(text));
+  return *value;
 }
 
 void append_delta(std::string& text, std::uint32_t value) {

@@ -19,11 +19,11 @@
 #include "tables/sampler_state.h"
 #include "tables/stages.h"
 #include "tables/unit.h"
-#include "testbench/area/yosys.h"
 #include "testbench/atomic_file.h"
 #include "testbench/mutation/aiger.h"
 #include "testbench/page/process.h"
 #include "testbench/parallel.h"
+#include "testbench/text_file.h"
 
 namespace feline::mutation {
 namespace {

@@ -7,11 +7,11 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "testbench/area/yosys.h"
 #include "testbench/error.h"
 #include "testbench/mutation/model_site.h"
 #include "testbench/mutation/model_source.h"
 #include "testbench/progress.h"
+#include "testbench/text_file.h"
 
 namespace feline::mutation {
 namespace {

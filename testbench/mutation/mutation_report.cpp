@@ -4,21 +4,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-
-#include "testbench/area/yosys.h"
 #include "testbench/error.h"
 #include "testbench/json_input.h"
+#include "testbench/median.h"
+#include "testbench/text_file.h"
 
 namespace feline::mutation {
 namespace {
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
 
 // Rounded down, so that only all of them are 100 %.
 std::string percent(std::size_t part, std::size_t whole) {

@@ -13,6 +13,7 @@
 #include "tables/stages.h"
 #include "testbench/area/yosys.h"
 #include "testbench/error.h"
+#include "testbench/text_file.h"
 
 namespace feline::mutation {
 namespace {

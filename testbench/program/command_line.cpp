@@ -12,6 +12,7 @@
 #include "testbench/atomic_file.h"
 #include "testbench/error.h"
 #include "testbench/scenes/scene.h"
+#include "testbench/text_number.h"
 
 namespace feline {
 namespace {
@@ -20,15 +21,13 @@ template <typename Value>
 CLI::Validator range(Value least, Value most) {
   const std::string legal = fmt::format("{} to {}", least, most);
   return {[=](std::string& text) {
-            Value value{};
-            const char* const last = text.data() + text.size();
-            const auto [end, error] = std::from_chars(text.data(), last, value);
+            const auto value = number_of<Value>(text);
             // CLI11 would read 010 as 8.
             if (std::is_integral_v<Value> && text.size() > 1 && text.front() == '0') {
               return fmt::format("got {}, legal is {}, without leading zeros", text, legal);
             }
             // Written so that NaN fails.
-            const bool holds = error == std::errc{} && end == last && value >= least && value <= most;
+            const bool holds = value && *value >= least && *value <= most;
             return holds ? std::string() : fmt::format("got {}, legal is {}", text, legal);
           },
           legal};
@@ -42,11 +41,8 @@ CLI::Validator number(double least, double most) { return range(least, most); }
 
 CLI::Validator float32() {
   return {[](std::string& text) {
-            float value{};
-            const char* const last = text.data() + text.size();
-            const auto [end, error] = std::from_chars(text.data(), last, value);
-            const bool holds = error == std::errc{} && end == last;
-            return holds ? std::string() : fmt::format("got {}, legal is a float32 number, inf or nan", text);
+            return number_of<float>(text) ? std::string()
+                                          : fmt::format("got {}, legal is a float32 number, inf or nan", text);
           },
           "float32"};
 }

@@ -5,11 +5,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 
 #include "testbench/error.h"
 #include "testbench/program/command_line.h"
 #include "testbench/scenes/scene.h"
+#include "testbench/text_number.h"
 
 namespace feline {
 namespace {
@@ -17,12 +17,11 @@ namespace {
 constexpr std::array<std::string_view, 2> kMipFilterNames{"lanczos", "box"};
 
 int parse_side(const std::string& option, const std::string& text, std::string_view digits) {
-  int value = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error != std::errc{} || end != digits.data() + digits.size() || value < 1 || value > kMaxImageSize) {
+  const auto value = number_of<int>(digits);
+  if (!value || *value < 1 || *value > kMaxImageSize) {
     bad_input("command line", option, text, fmt::format("WIDTHxHEIGHT or one number, each 1 to {}", kMaxImageSize));
   }
-  return value;
+  return *value;
 }
 
 const Scene& scene_of(const std::string& name) {

@@ -14,6 +14,7 @@
 #include "testbench/area/yosys.h"
 #include "testbench/atomic_file.h"
 #include "testbench/error.h"
+#include "testbench/text_file.h"
 
 namespace feline::prove {
 namespace {

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -16,6 +15,7 @@
 #include "testbench/error.h"
 #include "testbench/image.h"
 #include "testbench/json_input.h"
+#include "testbench/text_number.h"
 
 namespace feline {
 namespace {
@@ -62,10 +62,8 @@ Json to_json(const TextureUse& use) {
 
 // A number as to_chars writes it; nothing else.
 std::optional<std::int64_t> whole(std::string_view text) {
-  std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || fmt::format("{}", value) != text) return std::nullopt;
-  return value;
+  const auto value = number_of<std::int64_t>(text);
+  return value && fmt::format("{}", *value) == text ? value : std::nullopt;
 }
 
 // A place in the file, which complaints name.

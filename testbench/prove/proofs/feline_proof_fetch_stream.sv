@@ -55,7 +55,7 @@ module feline_proof_fetch_stream (
                                     feline_pkg::WeightWidth + feline_pkg::LevelFractionWidth +
                                     4*feline_pkg::TexelFractionWidth;
 
-  // That it does not wait for ever is left to the bench's watchdog.
+  // That it does not wait for ever: feline_proof_cache_ends.
   feline_stream_checker #(
     .Width(feline_pkg::FetchBeatWidth), .Payload(Payload), .Depth(2), .Waits(1'b1)
   ) u_checker (
