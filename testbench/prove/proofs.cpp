@@ -102,7 +102,7 @@ const std::vector<Proof>& proofs() {
        {{"rtl/feline_tile_cache.sv", "present_o[i] = valid_q[set] && line_q", "present_o[i] = line_q"},
         {"rtl/feline_blocking_cache.sv", "if (rst_i || (texels_valid_i && texels_ready_o))", "if (rst_i)"}}},
       {"cache_ends",
-       "fetch with four lines in each half, never flushed, does not wait for ever: it asks for each line of a beat once",
+       "fetch with four lines in each half, never flushed: asks for each line of a beat once, waits not for ever",
        Method::kReachability,
        {{"rtl/feline_blocking_cache.sv", "kept_q <= kept_q | keep;", "kept_q <= kept_q;"},
         {"rtl/feline_blocking_cache.sv", "default: if (memory_response_valid_i) state_q <= Look;",
