@@ -50,5 +50,28 @@ TEST(mutation_report, tells_what_nothing_is_known_of) {
   EXPECT_EQ(json["stages"]["walk"]["open"][0], "$add at rtl/feline_walk.sv:1");
 }
 
+TEST(mutation_report, a_reason_of_what_is_killed_or_proved_is_stale) {
+  std::vector<Fate> fates(4);
+  for (std::size_t i = 0; i < fates.size(); ++i) fates[i].name = std::string(1, static_cast<char>('a' + i));
+  fates[0].tier = "smoke";
+  fates[1].logic = Fate::Logic::kUnobserved;
+  fates[3].differs = true;
+  const KnownSurvivors known = read(R"({"walk": [{"reason": "r", "mutants": ["a", "b", "c"]}]})");
+  const StageResult result = judge("walk", 4, fates, known);
+  EXPECT_EQ(result.stale, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(result.known, (std::map<std::string, std::string>{{"c", "r"}}));
+  EXPECT_EQ(result.open, (std::vector<std::string>{"d (a beat differs, says SAT)"}));
+  EXPECT_NE(to_text({result}, {"smoke"}).find("STALE REASON: walk: b\n"), std::string::npos);
+}
+
+TEST(mutation_report, only_all_of_them_are_a_hundred_percent) {
+  StageResult result;
+  result.fates.resize(100000);
+  result.killed = {{"smoke", 99999}};
+  EXPECT_NE(to_text({result}, {"smoke"}).find("| 99.99 % |"), std::string::npos);
+  result.killed = {{"smoke", 100000}};
+  EXPECT_NE(to_text({result}, {"smoke"}).find("| 100.00 % |"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace feline::mutation
