@@ -144,6 +144,8 @@ Verdict whether_observed(const StageMutants& stage, const Mutant& mutant, const 
       const bool is_footprint = stage.stage() == kStageNames[static_cast<std::size_t>(Stage::kFootprint)];
       return is_footprint && is_enumerated(right, wrong) ? Verdict::kEnumerated : Verdict::kDiffers;
     }
+    // What SAT does not decide of one beat it does not decide of all cycles.
+    return Verdict::kUnknown;
   }
   return unobserved(right, wrong) ? Verdict::kProved : Verdict::kUnknown;
 }

@@ -53,8 +53,10 @@ class Instrumenter {
         roms_.insert(type.substr(kRomPrefix.size()));
       }
       for (const auto& [port, bits] : cell["connections"].items()) {
-        // A clock that is wrong is another design.
-        if (port.ends_with("CLK") || port == "clk_i" || bits.empty()) continue;
+        // A clock that is wrong is another design; Yosys wants constants where a read without a clock has no use for
+        // more.
+        const bool is_fixed = type == "$mem_v2" && port.starts_with("RD_") && port != "RD_ADDR" && port != "RD_DATA";
+        if (port.ends_with("CLK") || port == "clk_i" || bits.empty() || is_fixed) continue;
         add_site(name, cell, port, bits, cell["port_directions"][port] == "output");
       }
     }

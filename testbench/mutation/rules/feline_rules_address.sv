@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What reaches address: a beat stays until it is taken; no level beyond the last one (leaf plan.sampled_level); nothing
-// unsupported in the full configuration.
+// What reaches address: a beat stays until it is taken; no level beyond the last one, and one level alone where texels
+// are not interpolated (leaf plan.sampled_level); nothing unsupported in the full configuration.
 `default_nettype none
 
 module feline_rules_address (
@@ -25,6 +25,8 @@ module feline_rules_address (
 
   assign legal_o = sampler_legal && (!held_q || (walk_valid_i && walk_i == walk_q)) &&
                    (!walk_valid_i || (walk_i.level_of_detail <= {sampler_i.last_level, feline_pkg::SampledLevelFraction'(0)} &&
+                                      (walk_i.linear ||
+                                       walk_i.level_of_detail[feline_pkg::SampledLevelFraction-1:0] == '0) &&
                                       !walk_i.status[feline_pkg::StatusUnsupported]));
 endmodule
 
