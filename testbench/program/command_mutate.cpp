@@ -7,6 +7,7 @@
 
 #include "tables/stages.h"
 #include "testbench/atomic_file.h"
+#include "testbench/error.h"
 #include "testbench/mutation/model_mutants.h"
 #include "testbench/mutation/mutation_report.h"
 #include "testbench/program/command_line.h"

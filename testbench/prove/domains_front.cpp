@@ -41,7 +41,7 @@ constexpr std::int64_t kMostMajor = F::kRadius.max_raw();
 
 // Every major radius with every minor one that is not larger, the other fields as `head` has them.
 template <typename L>
-Domain radius_pairs(std::vector<std::int64_t> head, std::int64_t least_major) {
+Domain radius_pairs(const std::vector<std::int64_t>& head, std::int64_t least_major) {
   return rows<L>(
       "", static_cast<std::uint64_t>(kMostMajor - least_major) + 1,
       [=](std::uint64_t row) { return row + static_cast<std::uint64_t>(least_major) + 1; },
