@@ -17,7 +17,7 @@ class CloseBatches {
  public:
   static constexpr std::size_t kCopies = 4;
 
-  // Of two processors half a minute a thousand.
+  // Of two processors less than a minute a thousand.
   CloseBatches(std::uint64_t seed, std::uint64_t lookups);
 
   std::size_t size() const { return batches_.size(); }

@@ -9,7 +9,7 @@
 namespace feline::mutation {
 namespace {
 
-std::size_t mutants_of(const Site& site) {
+std::size_t count_mutants(const Site& site) {
   std::size_t count = 0;
   for (const Site::Bit& bit : site.bits) count += bit.constant ? 1 : 3 + 2 * (site.width - 1);
   return count;
@@ -37,18 +37,34 @@ std::uint64_t code(const Mutant& mutant) {
          std::uint64_t{mutant.control} << 32;
 }
 
+std::vector<Mutant> site_mutants(const Site& site) {
+  std::vector<Mutant> mutants;
+  for (const Site::Bit& bit : site.bits) {
+    mutants.push_back({site.number, Kind::kInvert, bit.place, 0});
+    if (bit.constant) continue;
+    mutants.push_back({site.number, Kind::kZero, bit.place, 0});
+    mutants.push_back({site.number, Kind::kOne, bit.place, 0});
+    for (std::uint32_t control = 0; control < site.width; ++control) {
+      if (control == bit.place) continue;
+      mutants.push_back({site.number, Kind::kInvertWhenZero, bit.place, control});
+      mutants.push_back({site.number, Kind::kInvertWhenOne, bit.place, control});
+    }
+  }
+  return mutants;
+}
+
 std::vector<Mutant> draw_mutants(const std::vector<Site>& sites, std::size_t count, std::uint64_t seed) {
   std::size_t all = 0;
   std::vector<const Site*> open;
   for (const Site& site : sites) {
-    all += mutants_of(site);
+    all += count_mutants(site);
     if (!site.bits.empty()) open.push_back(&site);
   }
   count = std::min(count, all);
   SplitMix64 random(seed);
   std::map<std::uint64_t, Mutant> drawn;  // by code
   std::vector<std::size_t> left;
-  for (const Site* const site : open) left.push_back(mutants_of(*site));
+  for (const Site* const site : open) left.push_back(count_mutants(*site));
   while (drawn.size() < count) {
     const std::size_t place = random.below(static_cast<std::uint32_t>(open.size()));
     if (!insert(drawn, draw(*open[place], random)) || --left[place] != 0) continue;

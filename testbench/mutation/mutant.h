@@ -46,6 +46,9 @@ struct Mutant {
 // What feline_mutation_site.sv takes: site, kind, bit, control from the least bit in 16, 4, 12 and 16 bits. 0: none.
 std::uint64_t code(const Mutant& mutant);
 
+// Every mutant of a site.
+std::vector<Mutant> site_mutants(const Site& site);
+
 // `count` different mutants, or as many as there are: a site, then a bit and a kind, each as likely as any other. A
 // function of the seed.
 std::vector<Mutant> draw_mutants(const std::vector<Site>& sites, std::size_t count, std::uint64_t seed);

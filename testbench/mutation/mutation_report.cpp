@@ -35,7 +35,6 @@ StageResult sum_of(const std::vector<StageResult>& results) {
     sum.unobserved += result.unobserved;
     for (const auto& [mutant, reason] : result.known) sum.known.emplace(result.stage + mutant, reason);
     sum.open.insert(sum.open.end(), result.open.begin(), result.open.end());
-    sum.stale.insert(sum.stale.end(), result.stale.begin(), result.stale.end());
   }
   return sum;
 }

@@ -59,7 +59,9 @@ std::string instance_of(std::string_view cell) {
     cell.remove_prefix(end + 1);
   }
   if (!cell.starts_with('$')) names.push_back(cell);
-  return fmt::format("{}", fmt::join(names, "."));
+  std::string path = fmt::format("{}", fmt::join(names, "."));
+  std::erase(path, '\\');
+  return path;
 }
 
 // What a site is called; those that would be called alike are numbered.
@@ -194,7 +196,12 @@ std::string StageMutants::describe(const Mutant& mutant) const {
 }
 
 bool StageMutants::has(std::string_view description) const {
-  return std::ranges::any_of(labels_, [&](const std::string& label) { return description.starts_with(label + ", "); });
+  const auto is_it = [&](const Mutant& mutant) { return describe(mutant) == description; };
+  for (const Site& site : sites_) {
+    if (!description.starts_with(labels_[site.number - 1] + ", ")) continue;
+    if (std::ranges::any_of(site_mutants(site), is_it)) return true;
+  }
+  return std::ranges::any_of(rom_mutants(roms_), is_it);
 }
 
 bool StageMutants::in_stream(const Mutant& mutant) const {

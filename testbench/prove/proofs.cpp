@@ -119,7 +119,7 @@ const std::vector<Proof>& proofs() {
          "gaussian = sampler_i.kernel == feline_pkg::KernelGaussian"}},
        Registers::kWires},
       {"sum_bound",
-       "accumulate: the sum does not overflow",
+       "accumulate: the sum of the first channel does not overflow",
        Method::kInduction,
        {{"rtl/feline_accumulate.sv", "carried + weighted_q.colour[c*SumWidth +: SumWidth];",
          "carried[SumWidth-2:0] + weighted_q.colour[c*SumWidth +: SumWidth];"},

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <stdexcept>
 
@@ -76,6 +77,18 @@ TEST(mutation_mutant, every_bit_of_every_rom) {
   const auto mutants = rom_mutants({{"log2", 256, 8}, {"weight", 3, 2}});
   EXPECT_EQ(mutants.size(), 256U * 8 + 6);
   EXPECT_EQ(code(mutants.back()), 2U | 5U << 16 | 1U << 20 | std::uint64_t{2} << 32);
+}
+
+TEST(mutant, a_site_has_as_many_as_can_be_drawn) {
+  Site site;
+  site.number = 1;
+  site.width = 3;
+  site.bits = {{0, false}, {2, true}};
+  std::vector<Mutant> all = site_mutants(site);
+  std::vector<Mutant> drawn = draw_mutants({site}, 1000, 1);
+  std::ranges::sort(all, {}, code);
+  EXPECT_EQ(all.size(), 8U);
+  EXPECT_EQ(all, drawn);
 }
 
 }  // namespace
