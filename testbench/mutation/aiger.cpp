@@ -301,13 +301,12 @@ bool comes_out(const Aiger& flow) {
          });
 }
 
-Aiger difference(const Aiger& right, const Aiger& wrong, const std::function<bool(std::string_view)>& wanted) {
+Aiger difference(const Aiger& right, const Aiger& wrong) {
   Aiger miter{right.inputs, {}, {}, {}};
   const std::vector<std::uint32_t> rights = copy_gates(right, own_variables(right), miter);
   const std::vector<std::uint32_t> wrongs = copy_gates(wrong, own_variables(wrong), miter);
   std::uint32_t same = 1;
   for (std::size_t i = 0; i < right.outputs.size(); ++i) {
-    if (!wanted(right.outputs[i].name)) continue;
     const std::uint32_t a = rights[right.outputs[i].literal / 2] ^ (right.outputs[i].literal & 1);
     const std::uint32_t b = wrongs[wrong.outputs[i].literal / 2] ^ (wrong.outputs[i].literal & 1);
     same = miter.add_gate(same, miter.add_gate(a, b ^ 1) ^ 1);

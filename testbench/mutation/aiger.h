@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -55,8 +54,8 @@ Aiger steady_flow(const Aiger& aiger, std::size_t cycles);
 // Whether every output X_valid_o of a steady flow is 1, whatever the beat, if it is legal: the pipeline is not longer.
 bool comes_out(const Aiger& flow);
 
-// Whether an output whose name is wanted ever differs between two circuits without state, of the same inputs and
-// outputs: an output that is 1 when it does.
-Aiger difference(const Aiger& right, const Aiger& wrong, const std::function<bool(std::string_view)>& wanted);
+// Whether an output ever differs between two circuits without state, of the same inputs and outputs: an output that is
+// 1 when it does.
+Aiger difference(const Aiger& right, const Aiger& wrong);
 
 }  // namespace feline::mutation

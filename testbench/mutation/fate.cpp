@@ -6,21 +6,17 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
 #include <sstream>
 #include <stdexcept>
 
-#include "tables/formats.h"
-#include "tables/pack.h"
-#include "tables/sampler_state.h"
-#include "tables/stages.h"
-#include "tables/unit.h"
 #include "testbench/atomic_file.h"
 #include "testbench/mutation/aiger.h"
+#include "testbench/mutation/leaf_mutants.h"
+#include "testbench/mutation/leaf_trial.h"
 #include "testbench/page/process.h"
 #include "testbench/parallel.h"
 #include "testbench/text_file.h"
@@ -56,12 +52,7 @@ void tell_fates(std::span<Fate* const> fates, const std::string& lines) {
 }
 
 // What a proof comes to, as the cache has it.
-enum class Verdict : char {
-  kUnknown = '0',
-  kProved = '1',
-  kDiffers = 'd',
-  kEnumerated = 'e',  // it differs where feline prove looks at everything
-};
+enum class Verdict : char { kUnknown = '0', kProved = '1', kDiffers = 'd' };
 
 bool says(const std::string& text, std::string_view words) { return text.find(words) != std::string::npos; }
 
@@ -99,53 +90,25 @@ bool unobserved(const Aiger& right, const Aiger& wrong) {
 constexpr std::array<std::string_view, 5> kPipelines{"group", "footprint", "plan", "address", "filter"};
 constexpr std::size_t kMostRegisters = 6;
 
-// Whether any beat comes out otherwise in what is wanted of it.
-std::optional<bool> flows_otherwise(const Aiger& right, const Aiger& wrong,
-                                    const std::function<bool(std::string_view)>& wanted) {
+// Whether any beat comes out otherwise.
+std::optional<bool> flows_otherwise(const Aiger& right, const Aiger& wrong) {
   const Aiger flow = steady_flow(right, kMostRegisters + 1);
   if (!comes_out(flow)) throw std::runtime_error("a stage of more registers than a pipeline may have");
   const AtomicFile file(std::filesystem::temp_directory_path() / "feline-flow.aig");
-  write_text(file.temporary(), to_binary(difference(flow, steady_flow(wrong, kMostRegisters + 1), wanted)));
+  write_text(file.temporary(), to_binary(difference(flow, steady_flow(wrong, kMostRegisters + 1))));
   const std::string said = ask_abc(fmt::format("read_aiger {}; strash; dc2; fraig; iprove", file.temporary().string()));
   if (says(said, "UNSATISFIABLE")) return false;
   if (says(said, "SATISFIABLE")) return true;
   return std::nullopt;
 }
 
-// The vector and the radii of a footprint.
-bool is_ellipse(std::string_view output) {
-  constexpr int kBits = 2 * Formats<kUnit>::kVector.width() + 2 * Formats<kUnit>::kRadius.width();
-  constexpr std::string_view kBegin = "footprint_o[";
-  if (!output.starts_with(kBegin)) return false;
-  int bit = kBits;
-  std::from_chars(output.data() + kBegin.size(), output.data() + output.size(), bit);
-  return bit < kBits;
-}
-
-// Whether it comes out otherwise where `feline prove --leaf footprint` looks: at the ellipses of all mantissas, in
-// these modes. The mode is the first field of the sampler state, its highest bits.
-bool is_enumerated(const Aiger& right, const Aiger& wrong) {
-  constexpr std::array kModes{Mode::kTrilinear, Mode::kExt, Mode::kSimple, Mode::kTable};
-  constexpr int kPlace = beat_width<SamplerState<kUnit>>() - Formats<kUnit>::kMode.width();
-  return std::ranges::any_of(kModes, [&](Mode mode) {
-    const auto in_mode = [&](const Aiger& aiger) {
-      return with_input(aiger, "sampler_i", static_cast<std::uint64_t>(mode), kPlace);
-    };
-    return flows_otherwise(in_mode(right), in_mode(wrong), is_ellipse) == true;
-  });
-}
-
 Verdict whether_observed(const StageMutants& stage, const Mutant& mutant, const Aiger& right, const Aiger& wrong) {
   const bool is_pipeline = std::ranges::find(kPipelines, stage.stage()) != kPipelines.end();
   if (is_pipeline && !stage.in_stream(mutant)) {
-    const auto otherwise = flows_otherwise(right, wrong, [](std::string_view) { return true; });
-    if (otherwise == false) return Verdict::kProved;
-    if (otherwise == true) {
-      const bool is_footprint = stage.stage() == kStageNames[static_cast<std::size_t>(Stage::kFootprint)];
-      return is_footprint && is_enumerated(right, wrong) ? Verdict::kEnumerated : Verdict::kDiffers;
-    }
     // What SAT does not decide of one beat it does not decide of all cycles.
-    return Verdict::kUnknown;
+    const auto otherwise = flows_otherwise(right, wrong);
+    if (!otherwise) return Verdict::kUnknown;
+    return *otherwise ? Verdict::kDiffers : Verdict::kProved;
   }
   return unobserved(right, wrong) ? Verdict::kProved : Verdict::kUnknown;
 }
@@ -165,7 +128,7 @@ std::string trials_hash(const std::filesystem::path& source) {
   std::set<std::filesystem::path> files;
   for (const char* const room :
        {"rtl", "model", "tables", "tables/generated", "testbench", "testbench/cosim", "testbench/mutation",
-        "testbench/mutation/rules", "testbench/prove", "tests/model", "tests/support"}) {
+        "testbench/mutation/rules", "testbench/prove", "testbench/prove/rtl_leaves", "tests/model", "tests/support"}) {
     for (const auto& entry : std::filesystem::directory_iterator(source / room)) {
       // survivors.json is no part of a trial.
       if (entry.is_regular_file() && entry.path().extension() != ".json") files.insert(entry.path());
@@ -175,6 +138,61 @@ std::string trials_hash(const std::filesystem::path& source) {
   for (const std::filesystem::path& file : files) all += content_hash(file);
   return all;
 }
+
+namespace {
+
+// On all domains of one wrapper.
+void try_leaf(const StageMutants& stage, std::string_view wrapper, const std::vector<const prove::Leaf*>& leaves,
+              bool quick, const Workshop& workshop, std::vector<Fate>& fates) {
+  constexpr std::uint64_t kQuick = std::uint64_t{1} << 24;
+  constexpr std::uint64_t kMost = std::uint64_t{1} << 32;
+  const std::filesystem::path directory = workshop.directory / stage.stage() / wrapper;
+  std::filesystem::create_directories(directory);
+  const LeafMutants in_leaf(stage, wrapper, workshop.source, directory);
+  std::vector<Fate*> open;
+  std::vector<Mutant> mutants;
+  for (Fate& fate : fates) {
+    const auto mutant = in_leaf.in_leaf(fate.mutant);
+    if (!fate.tier.empty() || fate.proved() || !mutant) continue;
+    open.push_back(&fate);
+    mutants.push_back(*mutant);
+  }
+  std::optional<Aiger> logic;
+  for (const prove::Leaf* const leaf : leaves) {
+    if (open.empty()) return;
+    const std::uint64_t limit = quick ? kQuick : leaf->complete ? leaf->domain.count : kMost;
+    const std::uint64_t inputs_tried = std::min(limit, leaf->domain.count);
+    const std::string key = workshop.cache.key(
+        {"leaf", fmt::format("{}", inputs_tried), workshop.trials, stage.text(), leaf->name, codes_of(open)});
+    nlohmann::json inputs = nlohmann::json::parse(workshop.cache.read(key).value_or("[]"));
+    if (inputs.size() != open.size()) {
+      if (!logic) logic = in_leaf.logic(mutants);
+      std::vector<std::uint64_t> codes;
+      for (const Mutant& mutant : mutants) codes.push_back(code(mutant));
+      inputs = nlohmann::json::array();
+      for (const auto& input : differing_inputs(*leaf, *logic, codes, inputs_tried)) {
+        inputs.push_back(input ? nlohmann::json(*input) : nlohmann::json());
+      }
+      workshop.cache.write(key, inputs.dump());
+    }
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      if (!inputs[i].is_null()) {
+        open[i]->tier = kExhaustive;
+        open[i]->stage = leaf->name;
+        open[i]->lookup = inputs[i];
+      } else if (leaf->complete && inputs_tried == leaf->domain.count) {
+        open[i]->logic = Fate::Logic::kSame;
+      }
+    }
+    for (std::size_t i = open.size(); i-- > 0;) {
+      if (open[i]->tier.empty() && !open[i]->proved()) continue;
+      open.erase(open.begin() + static_cast<std::ptrdiff_t>(i));
+      mutants.erase(mutants.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+  }
+}
+
+}  // namespace
 
 void try_mutants(const StageMutants& stage, const std::vector<std::string>& tiers, const Workshop& workshop,
                  std::vector<Fate>& fates) {
@@ -205,6 +223,14 @@ void try_mutants(const StageMutants& stage, const std::vector<std::string>& tier
     tell_fates(part, *lines);
     progress.advance(part.size());
   }
+}
+
+void try_leaves(const StageMutants& stage, bool quick, const Workshop& workshop, std::vector<Fate>& fates) {
+  std::map<std::string_view, std::vector<const prove::Leaf*>> by_wrapper;
+  for (const prove::Leaf& leaf : prove::all_leaves()) {
+    if (leaf.stage() == stage.stage()) by_wrapper[leaf.wrapper].push_back(&leaf);
+  }
+  for (const auto& [wrapper, leaves] : by_wrapper) try_leaf(stage, wrapper, leaves, quick, workshop, fates);
 }
 
 void compare_logic(const StageMutants& stage, Fate::Logic wanted, const Workshop& workshop, std::vector<Fate>& fates) {
@@ -250,7 +276,6 @@ void compare_logic(const StageMutants& stage, Fate::Logic wanted, const Workshop
     const auto verdict = static_cast<Verdict>(known[i]);
     if (verdict == Verdict::kProved) open[i]->logic = wanted;
     if (verdict == Verdict::kDiffers) open[i]->differs = true;
-    if (verdict == Verdict::kEnumerated) open[i]->tier = "exhaustive";
   }
 }
 

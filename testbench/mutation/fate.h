@@ -16,14 +16,15 @@ namespace feline::mutation {
 // What became of a mutant.
 struct Fate {
   Mutant mutant{};
-  std::string name{};   // what it is, in words
-  std::string tier{};   // that killed it; empty for a survivor
-  std::string stage{};  // that the mismatch named; "pace" when no beat was wrong
-  std::uint64_t lookup = 0;
+  std::string name{};        // what it is, in words
+  std::string tier{};        // that killed it; empty for a survivor
+  std::string stage{};       // that the mismatch named, or a leaf; "pace" when no beat was wrong
+  std::uint64_t lookup = 0;  // or the number of the leaf's input
   std::uint64_t cycles = 0;
   double milliseconds = 0;
-  // Of a survivor: its logic, with all registers and memories cut open, is that of the stage; or nobody who keeps to
-  // the streams' rules sees a difference (observed_difference), the registers of either beginning with 0.
+  // Of a survivor: its logic, with all registers and memories cut open, is that of the stage, or that of its leaf for
+  // all that can come in; or nobody who keeps to the streams' rules sees a difference (observed_difference), the
+  // registers of either beginning with 0.
   enum class Logic : std::uint8_t { kUnknown, kSame, kUnobserved } logic = Logic::kUnknown;
   bool differs = false;  // some legal beat comes out otherwise, says SAT, but nothing that was tried
   bool proved() const { return logic != Logic::kUnknown; }
@@ -49,10 +50,15 @@ std::string trials_hash(const std::filesystem::path& source);
 void try_mutants(const StageMutants& stage, const std::vector<std::string>& tiers, const Workshop& workshop,
                  std::vector<Fate>& fates);
 
+// Tries those that no tier has killed and that are not proved the same on the leaves of `feline prove` that the stage
+// is made of: what differs anywhere in a domain, its enumeration kills, tier kExhaustive; what differs nowhere in a
+// complete one is proved the same. Quick: at 2^24 inputs of each leaf; else at all of a complete one, and at 2^32.
+inline constexpr const char* kExhaustive = "exhaustive";
+void try_leaves(const StageMutants& stage, bool quick, const Workshop& workshop, std::vector<Fate>& fates);
+
 // Proves by SAT what it can of those that no tier has killed: that all their logic is the stage's (abc &cec); or that
 // nobody sees a difference: in a pipeline's arithmetic, of what a legal beat makes of another one (abc iprove),
-// elsewhere at any time (abc pdr). Where an ellipse of footprint differs in a mode that `feline prove` enumerates,
-// that enumeration kills it: tier "exhaustive". Bits of ROMs stay unknown: they differ.
+// elsewhere at any time (abc pdr). Bits of ROMs stay unknown: they differ.
 void compare_logic(const StageMutants& stage, Fate::Logic wanted, const Workshop& workshop, std::vector<Fate>& fates);
 
 }  // namespace feline::mutation

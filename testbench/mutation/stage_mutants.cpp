@@ -2,7 +2,6 @@
 #include "testbench/mutation/stage_mutants.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -11,58 +10,11 @@
 #include <stdexcept>
 
 #include "tables/stages.h"
-#include "testbench/area/yosys.h"
 #include "testbench/error.h"
 #include "testbench/text_file.h"
 
 namespace feline::mutation {
 namespace {
-
-constexpr std::string_view kNeed = "mutants need it";
-
-std::string quoted_path(const std::filesystem::path& path) { return fmt::format("\"{}\"", path.string()); }
-
-// All files of a directory that begin so, in the order of names, each quoted.
-std::string files(const std::filesystem::path& directory, std::string_view begin) {
-  std::set<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(directory)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with(begin) && name.ends_with(".sv")) names.insert(quoted_path(entry.path()));
-  }
-  return fmt::format(" {}", fmt::join(names, " "));
-}
-
-void run_script(const std::string& script) {
-  const page::Finished finished = run_yosys({"-q", "-p", script}, kNeed);
-  if (finished.code != 0) throw std::runtime_error(fmt::format("yosys: {}{}", finished.output, finished.errors));
-}
-
-// Keeps where each cell was written: Yosys adds the places of the instances that it flattens.
-void note_places(nlohmann::ordered_json& netlist) {
-  for (auto& [top, module] : netlist["modules"].items()) {
-    for (auto& [name, cell] : module["cells"].items()) {
-      auto& attributes = cell["attributes"];
-      if (attributes.contains("src")) attributes["place"] = attributes["src"];
-    }
-  }
-}
-
-// "u_length" of "$flatten\u_length.$add$...", and of an instance its own name.
-std::string instance_of(std::string_view cell) {
-  constexpr std::string_view kBegin = "$flatten\\";
-  std::vector<std::string_view> names;
-  while (cell.starts_with(kBegin)) {
-    cell.remove_prefix(kBegin.size());
-    const std::size_t end = cell.find(".$");
-    if (end == std::string_view::npos) break;
-    names.push_back(cell.substr(0, end));
-    cell.remove_prefix(end + 1);
-  }
-  if (!cell.starts_with('$')) names.push_back(cell);
-  std::string path = fmt::format("{}", fmt::join(names, "."));
-  std::erase(path, '\\');
-  return path;
-}
 
 // What a site is called; those that would be called alike are numbered.
 std::vector<std::string> site_labels(const std::vector<Site>& sites) {
@@ -116,34 +68,19 @@ StageMutants::StageMutants(std::string stage, const std::filesystem::path& sourc
                            const std::filesystem::path& directory)
     : stage_(std::move(stage)), source_(std::filesystem::absolute(source)), directory_(directory) {
   const std::string top = "feline_" + stage_;
-  const std::filesystem::path plain = directory_ / "stage.json";
   const std::filesystem::path generated = source_ / "tables" / "generated";
-  std::string kept = files(generated, "feline_rom_");
+  std::vector<std::filesystem::path> kept = sources_in(generated, "feline_rom_");
   if (stage_ == kUnitName) {
-    for (const std::string_view name : kStageNames) {
-      kept += fmt::format(" {}", quoted_path(source_ / "rtl" / fmt::format("feline_{}.sv", name)));
-    }
+    for (const std::string_view name : kStageNames) kept.push_back(source_ / "rtl" / fmt::format("feline_{}.sv", name));
   }
-  run_script(fmt::format(
-      "read_verilog -sv -noautowire {0}; read_verilog -sv -noautowire -overwrite{1}; "
-      "read_verilog -sv -noautowire -lib -overwrite{2}; hierarchy -check -top {3}; proc; write_json {4}",
-      quoted_path(generated / "feline_pkg.sv"), files(source_ / "rtl", "feline_"), kept, top, quoted_path(plain)));
-  netlist_ = nlohmann::ordered_json::parse(read_text(plain, "netlist", "what Yosys wrote"));
-  note_places(netlist_);
-  write_text(plain, netlist_.dump());
-  run_script(
-      fmt::format("read_json {0}; hierarchy -top {1}; flatten; opt_clean; memory_collect; opt_clean; "
-                  "write_json {0}",
-                  quoted_path(plain), top));
-  netlist_ = nlohmann::ordered_json::parse(read_text(plain, "netlist", "what Yosys wrote"));
-  InstrumentedStage instrumented = instrument(netlist_, top, nullptr, false);
+  elaboration_ = elaborate(top,
+                           fmt::format("{}; {}; {}", read_command({generated / "feline_pkg.sv"}),
+                                       read_command(sources_in(source_ / "rtl", "feline_")), read_command(kept, true)),
+                           directory_);
+  InstrumentedStage instrumented = instrument(elaboration_.netlist, top, nullptr, false);
   sites_ = std::move(instrumented.sites);
   labels_ = site_labels(sites_);
-  const std::filesystem::path json = directory_ / "sites.json";
-  write_text(json, instrumented.netlist.dump());
-  const std::filesystem::path verilog = directory_ / (top + ".v");
-  run_script(fmt::format("read_json {}; write_verilog -noattr {}", quoted_path(json), quoted_path(verilog)));
-  text_ = read_text(verilog, "netlist", "what Yosys wrote");
+  text_ = to_verilog(instrumented.netlist, top, directory_);
   write_roms(instrumented.roms);
 }
 
@@ -214,25 +151,18 @@ std::string StageMutants::logic(const std::vector<Mutant>& mutants) const {
   for (const Mutant& mutant : mutants) numbers.insert(mutant.site);
   const std::vector<std::uint32_t> only(numbers.begin(), numbers.end());
   const std::string top = "feline_" + stage_;
-  const std::filesystem::path json = directory_ / "survivors.json";
-  const std::filesystem::path aiger = directory_ / "survivors.aig";
-  nlohmann::ordered_json netlist = instrument(netlist_, top, &only, true).netlist;
-  std::string sources = quoted_path(source_ / "testbench" / "mutation" / "feline_mutation_site.sv");
-  for (const Rom& rom : roms_) sources += fmt::format(" {}", quoted_path(rom_file(rom.name)));
+  nlohmann::ordered_json netlist = instrument(elaboration_.netlist, top, &only, true).netlist;
+  std::vector<std::filesystem::path> sources{source_ / "testbench" / "mutation" / "feline_mutation_site.sv"};
+  for (const Rom& rom : roms_) sources.emplace_back(rom_file(rom.name));
   const std::filesystem::path rules =
       source_ / "testbench" / "mutation" / "rules" / fmt::format("feline_rules_{}.sv", stage_);
   if (std::filesystem::exists(rules)) {
     add_rules(netlist["modules"][top], stage_, read_text(rules, "rules", "a module"));
-    sources = fmt::format("{} {}{}", quoted_path(source_ / "tables" / "generated" / "feline_pkg.sv"), sources,
-                          files(rules.parent_path(), "feline_rules_"));
+    const auto all_rules = sources_in(rules.parent_path(), "feline_rules_");
+    sources.insert(sources.begin(), source_ / "tables" / "generated" / "feline_pkg.sv");
+    sources.insert(sources.end(), all_rules.begin(), all_rules.end());
   }
-  write_text(json, netlist.dump());
-  run_script(
-      fmt::format("read_json {}; read_verilog -sv -noautowire {}; hierarchy -check -top {}; proc; flatten; "
-                  "opt_clean; memory_map; opt_clean; async2sync; dffunmap; techmap; dffunmap; setundef -zero; "
-                  "opt_clean; aigmap; opt_clean; write_aiger -symbols {}",
-                  quoted_path(json), sources, top, quoted_path(aiger)));
-  return read_text(aiger, "netlist", "what Yosys wrote");
+  return to_gates(netlist, top, read_command(sources), directory_);
 }
 
 }  // namespace feline::mutation

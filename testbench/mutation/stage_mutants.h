@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "testbench/mutation/elaboration.h"
 #include "testbench/mutation/mutant.h"
 
 namespace feline::mutation {
@@ -26,6 +27,7 @@ class StageMutants {
   const std::string& stage() const { return stage_; }
   const std::vector<Site>& sites() const { return sites_; }
   const std::vector<Rom>& roms() const { return roms_; }
+  const Elaboration& elaboration() const { return elaboration_; }
   // What a result follows from.
   const std::string& text() const { return text_; }
 
@@ -51,7 +53,7 @@ class StageMutants {
 
   std::string stage_;
   std::filesystem::path source_, directory_;
-  nlohmann::ordered_json netlist_;
+  Elaboration elaboration_;
   std::vector<Site> sites_;
   std::vector<std::string> labels_;  // of the sites
   std::vector<Rom> roms_;

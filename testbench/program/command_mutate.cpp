@@ -70,9 +70,11 @@ mutation::StageResult run_stage(const std::string& name, const MutateOptions& op
   };
   // What takes least time comes first.
   try_mutants(stage, {"smoke"}, workshop, fates);
+  try_leaves(stage, true, workshop, fates);
   prove(mutation::Fate::Logic::kSame);
   try_mutants(stage, {"close", "pace", "suite"}, workshop, fates);
   prove(mutation::Fate::Logic::kUnobserved);
+  try_leaves(stage, false, workshop, fates);
   try_mutants(stage, {"long"}, workshop, fates);
   return judge(name, stage.sites().size(), std::move(fates), known);
 }
@@ -95,7 +97,7 @@ int run_mutate(const MutateOptions& options) {
   }
   const std::vector<std::string> tiers =
       options.model ? std::vector<std::string>{"smoke", "leaves", "unit", "tests"}
-                    : std::vector<std::string>{"smoke", "close", "pace", "suite", "exhaustive", "long"};
+                    : std::vector<std::string>{"smoke", mutation::kExhaustive, "close", "pace", "suite", "long"};
   const bool all = options.roms || options.model;
   const std::string json = to_json(results, all ? std::nullopt : std::optional(options.seed)).dump(1) + "\n";
   const std::string text = to_text(results, tiers);
@@ -118,10 +120,10 @@ void add_mutate(CLI::App& program, int& exit_code) {
       program.add_subcommand("mutate", "breaks the RTL in thousands of places, one at a time, and sees what notices");
   command->footer(
       "A mutant is a bit of an operator's port, inverted, stuck, or inverted by another bit, as in Yosys' mutate; one\n"
-      "build of a stage runs all of its mutants. Those that the first trial does not kill are compared with the stage\n"
-      "by SAT; what is neither killed nor proved the same must be in testbench/mutation/survivors.json with a reason,\n"
-      "or the exit code is 1, as for a reason of one that is killed or proved. Goes on where it was stopped. Those of\n"
-      "the model are tried on the leaves of feline prove and on the model's tests.\n"
+      "build of a stage runs all of its mutants. Those that the first trial does not kill are tried on all inputs of the\n"
+      "stage's leaves (feline prove) and compared with the stage by SAT; what is neither killed nor proved the same must\n"
+      "be in testbench/mutation/survivors.json with a reason, or the exit code is 1, as for a reason of one that is\n"
+      "killed or proved. Goes on where it was stopped. Those of the model are tried on the leaves and the model's tests.\n"
       "Example: feline mutate --stage walk,plan --count 2000 --output mutants");
   CLI::Option* const stage = command
                                  ->add_option("--stage", options->stages,

@@ -44,26 +44,6 @@ RtlLeaf& ChunkProver::rtl_of(std::string_view wrapper) {
   return *leaf;
 }
 
-const NetlistProgram& ChunkProver::program_of(const Leaf& leaf, const Netlist& netlist, std::size_t lanes) {
-  // Bits of the first fields, which the lane holds highest.
-  std::vector<std::uint64_t> mask(leaf.input_words, 0);
-  std::vector<std::uint64_t> bits(inputs_.begin(), inputs_.begin() + static_cast<std::ptrdiff_t>(leaf.input_words));
-  for (auto bit = static_cast<std::size_t>(leaf.steady_place()); bit < netlist.inputs.size(); ++bit) {
-    mask[bit / 64] |= std::uint64_t{1} << (bit % 64);
-  }
-  for (std::size_t i = 0; i < lanes; ++i) {
-    for (std::size_t k = 0; k < leaf.input_words; ++k) mask[k] &= ~(inputs_[i * leaf.input_words + k] ^ bits[k]);
-  }
-  for (std::size_t k = 0; k < leaf.input_words; ++k) bits[k] &= mask[k];
-  if (program_netlist_ != &netlist || mask != program_mask_ || bits != program_bits_) {
-    program_.emplace(netlist.with_constants(mask, bits));
-    program_netlist_ = &netlist;
-    program_mask_ = mask;
-    program_bits_ = bits;
-  }
-  return *program_;
-}
-
 ChunkResult ChunkProver::prove(const Leaf& leaf, std::uint64_t chunk, const Netlist& netlist) {
   const std::size_t in_words = leaf.input_words;
   const std::size_t out_words = leaf.output_words;
@@ -109,7 +89,9 @@ ChunkResult ChunkProver::prove(const Leaf& leaf, std::uint64_t chunk, const Netl
     compare(0);
     rtl.evaluate(inputs_.data(), got_.data(), lanes);
     compare(1);
-    program_of(leaf, netlist, lanes).evaluate(inputs_.data(), in_words, got_.data(), out_words, lanes, scratch_);
+    const std::span<const std::uint64_t> block(inputs_.data(), lanes * in_words);
+    program_.of(netlist, static_cast<std::size_t>(leaf.steady_place()), block, in_words)
+        .evaluate(inputs_.data(), in_words, got_.data(), out_words, lanes, scratch_);
     compare(2);
     if (leaf.measure != nullptr) {
       leaf.measure(inputs_.data(), exact_.data(), lanes, errors_.data());

@@ -13,6 +13,7 @@
 #include "testbench/prove/leaf.h"
 #include "testbench/prove/netlist.h"
 #include "testbench/prove/rtl_leaf.h"
+#include "testbench/prove/steady_program.h"
 
 namespace feline::prove {
 
@@ -50,13 +51,8 @@ class ChunkProver {
 
  private:
   RtlLeaf& rtl_of(std::string_view wrapper);
-  // The leaf's gates under what is constant in the block of inputs, of the fields that change slowly.
-  const NetlistProgram& program_of(const Leaf& leaf, const Netlist& netlist, std::size_t lanes);
-
   std::map<std::string_view, std::unique_ptr<RtlLeaf>> rtl_;
-  std::optional<NetlistProgram> program_;
-  const Netlist* program_netlist_ = nullptr;
-  std::vector<std::uint64_t> program_mask_, program_bits_;
+  SteadyProgram program_;
   std::vector<std::uint64_t> inputs_, exact_, got_;
   std::vector<double> errors_;
   std::vector<std::uint64_t> scratch_;

@@ -191,12 +191,14 @@ Domain weighed_colours() {
 
 void append_back_leaves(std::vector<Leaf>& leaves) {
   leaves.push_back(make_leaf<ProbeWeight>("walk.probe_weight", "probe_weight", probe_weights()));
+  leaves.back().complete = true;
   leaves.back().quantities = weight_quantities();
   leaves.back().measure = &measure_weight;
   leaves.push_back(make_leaf<ProbePosition>("walk.probe_position", "probe_position", probe_positions()));
   leaves.push_back(make_leaf<LevelSize>(
       "address.level_size", "level_size",
       product<LevelSize>("every size, every level", {Axis::range(1, kMostSize), Axis::range(0, F::kLevels)})));
+  leaves.back().complete = true;
   leaves.push_back(make_leaf<AxisTexels>("address.scale", "axis_texels", scaled_positions()));
   leaves.back().steady_fields = 3;
   leaves.push_back(make_leaf<AxisTexels>("address.nearest", "axis_texels", nearest_positions()));
@@ -206,9 +208,11 @@ void append_back_leaves(std::vector<Leaf>& leaves) {
   leaves.push_back(make_leaf<DecodeTexel>("fetch.decode_texel", "decode_texel", decoded_texels()));
   leaves.push_back(make_leaf<KernelWeight>("filter.kernel_weight", "kernel_weight",
                                            product<KernelWeight>("every fraction", {Axis::all(F::kTexelFractionOf)})));
+  leaves.back().complete = true;
   leaves.back().quantities = kernel_quantities();
   leaves.back().measure = &measure_kernel;
   leaves.push_back(make_leaf<InterpolateTexels>("filter.interpolate", "interpolate_texels", interpolated_texels()));
+  leaves.back().complete = true;
   leaves.push_back(make_leaf<FilterTexels>("filter.texels", "filter_texels", filtered_texels()));
   leaves.push_back(make_leaf<WeighColour>("accumulate.weigh_colour", "weigh_colour", weighed_colours()));
   leaves.back().quantities = colour_quantities();

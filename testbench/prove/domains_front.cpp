@@ -292,6 +292,7 @@ Domain weight_rows() {
 
 void append_front_leaves(std::vector<Leaf>& leaves) {
   leaves.push_back(make_leaf<Position>("group.position", "position", positions()));
+  leaves.back().complete = true;
   leaves.push_back(make_leaf<Align>("group.align", "align", aligned_derivatives()));
   for (const auto& [name, mode] : {std::pair{"footprint.simple", Mode::kSimple},
                                    {"footprint.table", Mode::kTable},
@@ -314,12 +315,15 @@ void append_front_leaves(std::vector<Leaf>& leaves) {
   leaves.push_back(make_leaf<LevelOfRadius>(
       "plan.level_of_radius", "level_of_radius",
       product<LevelOfRadius>("every radius at every exponent", {Axis::all(F::kExponent), Axis::all(F::kRadius)})));
+  leaves.back().complete = true;
   leaves.back().quantities = level_quantities();
   leaves.back().measure = &measure_level;
   leaves.push_back(make_leaf<SampledLevel>("plan.sampled_level", "sampled_level", sampled_levels()));
   leaves.push_back(make_leaf<LineFraction>("plan.line_fraction", "line_fraction", line_fractions()));
   leaves.push_back(make_leaf<HalfStepFactor>("plan.half_step_factor", "half_step_factor", half_step_factors()));
+  leaves.back().complete = true;
   leaves.push_back(make_leaf<TextureProduct>("plan.texture_product", "texture_product", texture_products()));
+  leaves.back().complete = true;
   leaves.back().steady_fields = 1;
   leaves.push_back(make_leaf<HalfStep>("plan.half_step", "half_step", half_steps()));
   leaves.push_back(make_leaf<WeightRow>("plan.weight_row", "weight_row", weight_rows()));

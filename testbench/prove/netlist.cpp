@@ -101,6 +101,10 @@ Netlist::Netlist(std::string_view json, std::string_view module) {
   gates = sorted(gates, outputs);
 }
 
+Netlist::Netlist(std::vector<Gate> all_gates, std::vector<std::uint32_t> input_nets,
+                 std::vector<std::uint32_t> output_nets)
+    : gates(sorted(all_gates, output_nets)), inputs(std::move(input_nets)), outputs(std::move(output_nets)) {}
+
 void Netlist::read(const nlohmann::json& top, std::string_view module) {
   for (const auto& [port, nets] : {std::pair{"inputs_i", &inputs}, {"outputs_o", &outputs}}) {
     for (const nlohmann::json& bit : top.at("ports").at(port).at("bits")) nets->push_back(net_of(bit));

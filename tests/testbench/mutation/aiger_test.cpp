@@ -133,15 +133,12 @@ TEST(mutation_aiger, in_steady_flow_registers_are_wires) {
   }
 }
 
-TEST(mutation_aiger, a_difference_is_one_of_wanted_outputs) {
+TEST(mutation_aiger, a_difference_is_one_of_any_output) {
   const Aiger plain = steady_flow(with_input(stage(false), "mutant", 0), 3);
   const Aiger flipped = steady_flow(with_input(stage(false), "mutant", 2), 3);
-  const auto differs_in = [&](std::string_view wanted) -> bool {
-    const Aiger miter = difference(plain, flipped, [&](std::string_view name) { return name == wanted; });
-    return Simulator(miter).cycle({false, true, false, false})[0];
-  };
-  EXPECT_TRUE(differs_in("y_o[0]"));
-  EXPECT_FALSE(differs_in("y_valid_o"));
+  const std::vector<bool> inputs{false, true, false, false};
+  EXPECT_TRUE(Simulator(difference(plain, flipped)).cycle(inputs)[0]);
+  EXPECT_FALSE(Simulator(difference(plain, plain)).cycle(inputs)[0]);
 }
 
 TEST(mutation_aiger, nothing_illegal_flows) {
