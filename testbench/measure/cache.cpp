@@ -28,13 +28,17 @@ std::optional<std::string> read_file(const std::filesystem::path& path) {
 
 }  // namespace
 
-Cache::Cache(std::filesystem::path directory) : directory_(std::move(directory)) {
+Cache::Cache(std::filesystem::path directory) : Cache(std::move(directory), content_hash("/proc/self/exe")) {}
+
+Cache Cache::of_parts(std::filesystem::path directory) { return {std::move(directory), ""}; }
+
+Cache::Cache(std::filesystem::path directory, std::string program)
+    : directory_(std::move(directory)), program_(std::move(program)) {
   std::error_code error;
   std::filesystem::create_directories(directory_, error);
   if (!std::filesystem::is_directory(directory_)) {
     bad_input(directory_.string(), "cache", error ? error.message() : "no directory", "a directory that can be made");
   }
-  program_ = content_hash("/proc/self/exe");
 }
 
 std::string Cache::key(std::initializer_list<std::string_view> parts) const {

@@ -17,14 +17,17 @@ class Cache {
  public:
   // Makes the directory; throws InputError when that is not possible. Entries of other builds stay until removed.
   explicit Cache(std::filesystem::path directory);
+  // For results that follow from their parts alone, whatever build of this program makes them.
+  static Cache of_parts(std::filesystem::path directory);
 
-  // The key of a result that follows from these parts and this program.
+  // The key of a result that follows from these parts and, unless the cache is of parts, this program.
   std::string key(std::initializer_list<std::string_view> parts) const;
 
   std::optional<std::string> read(const std::string& key) const;
   void write(const std::string& key, std::string_view content) const;
 
  private:
+  Cache(std::filesystem::path directory, std::string program);
   std::filesystem::path path(const std::string& key) const;
   std::filesystem::path directory_;
   std::string program_;

@@ -2,14 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
-#include <map>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "testbench/measure/cache.h"
 #include "testbench/mutation/stage_mutants.h"
-#include "testbench/progress.h"
+#include "testbench/mutation/workshop.h"
 
 namespace feline::mutation {
 
@@ -30,19 +28,8 @@ struct Fate {
   bool proved() const { return logic != Logic::kUnknown; }
 };
 
-// What a program writes, given `input`. Throws std::runtime_error when it fails.
-std::string run_program(const std::vector<std::string>& command, const std::string& input = "");
-
-// Where mutants are built, and what is known from before.
-struct Workshop {
-  std::filesystem::path source;     // of the project
-  std::filesystem::path directory;  // of all stages
-  const Cache& cache;
-  std::string trials;  // a hash of what mutants are tried with, which is not in this program
-};
-
-// Of the sources that the programs of mutants are built from, and the rules.
-std::string trials_hash(const std::filesystem::path& source);
+// A line of each mutant's code.
+std::string codes_of(std::span<Fate* const> fates);
 
 // Tries those that no tier has killed and that are not proved the same on these tiers (trial.h), after building the
 // stage with its mutants. What is in the cache is not tried again. Throws InputError or std::runtime_error when that is

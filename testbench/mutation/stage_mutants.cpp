@@ -56,14 +56,6 @@ void add_rules(nlohmann::ordered_json& module, const std::string& stage, const s
 
 }  // namespace
 
-void check_sources(const std::filesystem::path& source) {
-  if (!std::filesystem::exists(source / "rtl" / "feline_unit.sv") ||
-      !std::filesystem::exists(source / "testbench" / "mutation" / "build.sh")) {
-    bad_input(source.string(), "--source", "no rtl/feline_unit.sv and testbench/mutation/build.sh in it",
-              "this project's sources");
-  }
-}
-
 StageMutants::StageMutants(std::string stage, const std::filesystem::path& source,
                            const std::filesystem::path& directory)
     : stage_(std::move(stage)), source_(std::filesystem::absolute(source)), directory_(directory) {
@@ -152,14 +144,23 @@ std::string StageMutants::logic(const std::vector<Mutant>& mutants) const {
   const std::vector<std::uint32_t> only(numbers.begin(), numbers.end());
   const std::string top = "feline_" + stage_;
   nlohmann::ordered_json netlist = instrument(elaboration_.netlist, top, &only, true).netlist;
-  std::vector<std::filesystem::path> sources{source_ / "testbench" / "mutation" / "feline_mutation_site.sv"};
+  const std::filesystem::path package = source_ / "tables" / "generated" / "feline_pkg.sv";
+  std::vector<std::filesystem::path> sources{package, source_ / "testbench" / "mutation" / "feline_mutation_site.sv"};
+  if (stage_ == kUnitName) {
+    // The stages, whole, but not what is made of sites.
+    for (const auto& [directory, begin] :
+         {std::pair{source_ / "rtl", "feline_"}, {package.parent_path(), "feline_rom_"}}) {
+      for (const std::filesystem::path& file : sources_in(directory, begin)) {
+        if (file.stem() != top) sources.push_back(file);
+      }
+    }
+  }
   for (const Rom& rom : roms_) sources.emplace_back(rom_file(rom.name));
   const std::filesystem::path rules =
       source_ / "testbench" / "mutation" / "rules" / fmt::format("feline_rules_{}.sv", stage_);
   if (std::filesystem::exists(rules)) {
     add_rules(netlist["modules"][top], stage_, read_text(rules, "rules", "a module"));
     const auto all_rules = sources_in(rules.parent_path(), "feline_rules_");
-    sources.insert(sources.begin(), source_ / "tables" / "generated" / "feline_pkg.sv");
     sources.insert(sources.end(), all_rules.begin(), all_rules.end());
   }
   return to_gates(netlist, top, read_command(sources), directory_);

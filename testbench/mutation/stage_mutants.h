@@ -13,9 +13,6 @@ namespace feline::mutation {
 // The name of what is between the stages.
 inline constexpr std::string_view kUnitName = "unit";
 
-// The sources of the project that mutants are made of. Throws InputError naming `--source`.
-void check_sources(const std::filesystem::path& source);
-
 // One stage and its mutants, or what is between the stages, "unit"; prepared in `directory`: the stage with a site at
 // every port as feline_STAGE.v, which testbench/mutation/build.sh builds into the unit, and its ROMs with any bit
 // wrong.
@@ -44,7 +41,8 @@ class StageMutants {
 
   // The stage's combinational logic, registers and memories cut open, as binary AIGER with the mutant as inputs
   // mutant[0] to mutant[63]; sites other than those of `mutants` left out. With rules/feline_rules_STAGE.sv, if there
-  // is one: legal_o says that what comes in is what can come. Not of the unit. Throws std::runtime_error.
+  // is one: legal_o says that what comes in is what can come. Of the unit with all that is in its stages. Throws
+  // std::runtime_error.
   std::string logic(const std::vector<Mutant>& mutants) const;
 
  private:

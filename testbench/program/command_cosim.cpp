@@ -198,7 +198,9 @@ std::vector<CosimResult> run_all(const CosimOptions& options, const std::vector<
       try {
         FollowUp follow_up;
         if (!options.no_wave) follow_up = {make_trace_unit, wave_of(options, jobs[i].job, jobs.size() == 1)};
-        results[i] = run_job(jobs[i].job, make_fast_unit, follow_up, replay, !options.output.empty(), &progress);
+        // Random lookups make no picture.
+        const bool keep_pixels = !options.output.empty() && jobs[i].subject != nullptr;
+        results[i] = run_job(jobs[i].job, make_fast_unit, follow_up, replay, keep_pixels, &progress);
       } catch (...) {
         const std::scoped_lock lock(mutex);
         failure = std::current_exception();

@@ -79,5 +79,14 @@ TEST(measure_cache, content_of_files) {
   EXPECT_NE(input_error([&] { content_hash(dir / "none"); }).find("none"), std::string::npos);
 }
 
+TEST(measure_cache, of_parts_is_that_of_any_program) {
+  const TempDir dir;
+  const Cache of_program(dir / "cache");
+  const Cache of_parts = Cache::of_parts(dir / "cache");
+  EXPECT_NE(of_parts.key({"a"}), of_program.key({"a"}));
+  EXPECT_EQ(of_parts.key({"a"}), Cache::of_parts(dir / "other").key({"a"}));
+  EXPECT_NE(of_parts.key({"a"}), of_parts.key({"b"}));
+}
+
 }  // namespace
 }  // namespace feline

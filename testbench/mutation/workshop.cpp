@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "testbench/mutation/workshop.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <span>
+#include <stdexcept>
+
+#include "testbench/area/yosys.h"
+#include "testbench/error.h"
+#include "testbench/page/process.h"
+
+namespace feline::mutation {
+namespace {
+
+// Files of a room, without its rooms. A name begins so; survivors.json and certificates decide nothing here.
+struct Part {
+  std::string_view room;
+  std::string_view begin = "";
+};
+constexpr std::array kTrials{Part{"rtl"},
+                             Part{"model"},
+                             Part{"tables"},
+                             Part{"tables/generated"},
+                             Part{"testbench"},
+                             Part{"testbench/cosim"},
+                             Part{"testbench/mutation", "build.sh"},
+                             Part{"testbench/mutation", "feline_mutation_"},
+                             Part{"testbench/mutation", "model_"},
+                             Part{"testbench/mutation", "mutated_"},
+                             Part{"testbench/mutation", "mutation.cmake"},
+                             Part{"testbench/mutation", "trial"},
+                             Part{"testbench/prove"},
+                             Part{"tests/model"},
+                             Part{"tests/support"}};
+constexpr std::array kProofs{Part{"rtl"},
+                             Part{"tables"},
+                             Part{"tables/generated"},
+                             Part{"testbench/mutation"},
+                             Part{"testbench/mutation/rules"},
+                             Part{"testbench/prove"},
+                             Part{"testbench/prove/rtl_leaves"}};
+
+std::string hash_of(const std::filesystem::path& source, std::span<const Part> parts) {
+  std::set<std::filesystem::path> files;
+  for (const Part& part : parts) {
+    for (const auto& entry : std::filesystem::directory_iterator(source / part.room)) {
+      const std::filesystem::path& file = entry.path();
+      const bool is_wanted = entry.is_regular_file() && file.filename().string().starts_with(part.begin);
+      if (is_wanted && file.extension() != ".json") files.insert(file);
+    }
+  }
+  std::string all;
+  for (const std::filesystem::path& file : files) all += content_hash(file);
+  return all;
+}
+
+const std::filesystem::path& checked(const std::filesystem::path& source) {
+  if (!std::filesystem::exists(source / "rtl" / "feline_unit.sv") ||
+      !std::filesystem::exists(source / "testbench" / "mutation" / "build.sh")) {
+    bad_input(source.string(), "--source", "no rtl/feline_unit.sv and testbench/mutation/build.sh in it",
+              "this project's sources");
+  }
+  return source;
+}
+
+}  // namespace
+
+Workshop::Workshop(const std::filesystem::path& of_source, const std::filesystem::path& of_directory)
+    : source(checked(of_source)),
+      directory(of_directory),
+      cache(Cache::of_parts(directory / "cache")),
+      trials(hash_of(source, kTrials)),
+      proofs(yosys_version("mutants need it") + hash_of(source, kProofs)) {}
+
+std::string run_program(const std::vector<std::string>& command, const std::string& input) {
+  const page::Finished finished = page::run_process(command, input);
+  if (finished.code != 0) {
+    throw std::runtime_error(
+        fmt::format("{}: exit code {}\n{}{}", command.front(), finished.code, finished.output, finished.errors));
+  }
+  return finished.output;
+}
+
+}  // namespace feline::mutation

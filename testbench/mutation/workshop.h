@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "testbench/measure/cache.h"
+
+namespace feline::mutation {
+
+// Where mutants are built, and what is known from before. Its results follow from the sources, whatever build of this
+// program makes them.
+struct Workshop {
+  // Throws InputError naming `--source` for other sources than this project's, or when Yosys is not there.
+  Workshop(const std::filesystem::path& source, const std::filesystem::path& directory);
+
+  std::filesystem::path source;     // of the project
+  std::filesystem::path directory;  // of all stages
+  Cache cache;
+  std::string trials;  // a hash of what the programs that try mutants are built from
+  std::string proofs;  // and of what proves them the same, or finds them on leaves
+};
+
+// What a program writes, given `input`. Throws std::runtime_error when it fails.
+std::string run_program(const std::vector<std::string>& command, const std::string& input = "");
+
+}  // namespace feline::mutation

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "testbench/mutation/workshop.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include "tests/testbench/temp_dir.h"
+
+namespace feline::mutation {
+namespace {
+
+TEST(workshop_long, other_sources_are_refused) {
+  const TempDir directory;
+  const std::string message = input_error([&] { const Workshop workshop(directory / ".", directory / "work"); });
+  EXPECT_NE(message.find("--source"), std::string::npos) << message;
+  EXPECT_FALSE(std::filesystem::exists(directory / "work"));
+}
+
+TEST(workshop_long, results_follow_from_what_tries_and_what_proves) {
+  const TempDir directory;
+  const std::filesystem::path copy = directory / "copy";
+  for (const char* const room : {"rtl", "model", "tables", "testbench", "tests/model", "tests/support"}) {
+    std::filesystem::create_directories(copy / room);
+    std::filesystem::copy(std::filesystem::path(FELINE_SOURCE_DIR) / room, copy / room,
+                          std::filesystem::copy_options::recursive);
+  }
+  const auto touched = [&](const std::string& file) {
+    const Workshop before(copy, directory / "work");
+    std::ofstream(copy / file, std::ios::app) << "\n";
+    const Workshop after(copy, directory / "work");
+    return std::pair(before.trials != after.trials, before.proofs != after.proofs);
+  };
+  EXPECT_EQ(touched("rtl/feline_walk.sv"), std::pair(true, true));
+  EXPECT_EQ(touched("testbench/cosim/scoreboard.cpp"), std::pair(true, false));
+  EXPECT_EQ(touched("testbench/mutation/trial.cpp"), std::pair(true, true));
+  EXPECT_EQ(touched("testbench/mutation/rules/feline_rules_plan.sv"), std::pair(false, true));
+  EXPECT_EQ(touched("testbench/mutation/survivors.json"), std::pair(false, false));
+  EXPECT_EQ(touched("testbench/program/command_mutate.cpp"), std::pair(false, false));
+}
+
+TEST(workshop, a_program_that_fails_is_told) {
+  EXPECT_EQ(run_program({"cat"}, "text"), "text");
+  EXPECT_THROW(run_program({"false"}), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace feline::mutation
