@@ -212,11 +212,13 @@ std::uint32_t looked_at(const Ports& ports, const std::string& name, bool& of_in
   constexpr std::string_view kReady = "_ready_o";
   std::string base = base_of(name);
   of_input = false;
-  if (base.ends_with("_valid_o") || base == "busy_o" || base == "flush_o") return 1;
-  if (base.ends_with(kReady)) {
+  // A register has one stream in and one out, without names.
+  if (base == "valid_o" || base.ends_with("_valid_o") || base == "busy_o" || base == "flush_o") return 1;
+  if (base == "ready_o" || base.ends_with(kReady)) {
     of_input = true;
-    return ports.input(base.substr(0, base.size() - kReady.size()) + "_valid_i");
+    return ports.input(base == "ready_o" ? "valid_i" : base.substr(0, base.size() - kReady.size()) + "_valid_i");
   }
+  if (const Aiger::Output* const valid = base == "data_o" ? ports.output("valid_o") : nullptr) return valid->literal;
   for (std::size_t end = base.rfind('_'); end != std::string::npos && end != 0; end = base.rfind('_', end - 1)) {
     const Aiger::Output* const valid = ports.output(base.substr(0, end) + "_valid_o");
     if (valid != nullptr) return valid->literal;

@@ -80,20 +80,39 @@ std::string instance_of(std::string_view cell) {
   return path;
 }
 
-Elaboration elaborate(const std::string& top, const std::string& sources, const std::filesystem::path& directory) {
-  const std::filesystem::path file = directory / (top + ".json");
-  run_script(fmt::format("{}; hierarchy -check -top {}; proc; write_json {}", sources, top, quoted(file)));
+namespace {
+
+std::filesystem::path modules_file(const std::string& top, const std::filesystem::path& directory) {
+  return directory / (top + ".modules.json");
+}
+
+Elaboration flattened(const Json& modules, const std::string& module, const std::filesystem::path& modules_json) {
   Elaboration elaboration;
+  note_instances(modules["modules"], module, "", elaboration.instances);
+  std::filesystem::path flat = modules_json;
+  flat.replace_extension("flat.json");
+  run_script(
+      fmt::format("read_json {}; hierarchy -top {}; flatten; opt_clean; memory_collect; opt_clean; write_json {}",
+                  quoted(modules_json), module, quoted(flat)));
+  elaboration.netlist = read_json(flat);
+  return elaboration;
+}
+
+}  // namespace
+
+Elaboration elaborate(const std::string& top, const std::string& sources, const std::filesystem::path& directory) {
+  const std::filesystem::path file = modules_file(top, directory);
+  run_script(fmt::format("{}; hierarchy -check -top {}; proc; write_json {}", sources, top, quoted(file)));
   Json modules = read_json(file);
   note_places(modules);
-  note_instances(modules["modules"], top, "", elaboration.instances);
   write_text(file, modules.dump());
-  run_script(
-      fmt::format("read_json {0}; hierarchy -top {1}; flatten; opt_clean; memory_collect; opt_clean; "
-                  "write_json {0}",
-                  quoted(file), top));
-  elaboration.netlist = read_json(file);
-  return elaboration;
+  return flattened(modules, top, file);
+}
+
+Elaboration elaborate_module(const std::string& module, const std::string& top,
+                             const std::filesystem::path& directory) {
+  const std::filesystem::path file = modules_file(top, directory);
+  return flattened(read_json(file), module, file);
 }
 
 std::string to_verilog(const Json& netlist, const std::string& top, const std::filesystem::path& directory) {

@@ -22,6 +22,8 @@ struct Elaboration {
 // Runs Yosys, which is told to read `sources` by its commands; writes files to `directory`. Throws InputError when
 // Yosys is not there, std::runtime_error when it fails.
 Elaboration elaborate(const std::string& top, const std::string& sources, const std::filesystem::path& directory);
+// A module that an instance of `top` is of, alone, after elaborate() has written to the directory.
+Elaboration elaborate_module(const std::string& module, const std::string& top, const std::filesystem::path& directory);
 
 // Yosys' command to read files, and one that takes them in place of modules of the same name. With `library` they stay
 // instances.

@@ -43,6 +43,10 @@ void try_mutants(const StageMutants& stage, const std::vector<std::string>& tier
 inline constexpr const char* kExhaustive = "exhaustive";
 void try_leaves(const StageMutants& stage, bool quick, const Workshop& workshop, std::vector<Fate>& fates);
 
+// Proves by SAT (abc pdr) of a pipeline's registers, each by itself, that nobody sees a difference: what leaves one
+// while it is not valid, no other one takes.
+void prove_registers(const StageMutants& stage, const Workshop& workshop, std::vector<Fate>& fates);
+
 // Proves by SAT what it can of those that no tier has killed: that all their logic is the stage's (abc &cec); or that
 // nobody sees a difference: in a pipeline's arithmetic, of what a legal beat makes of another one (abc iprove),
 // elsewhere at any time (abc pdr). Bits of ROMs stay unknown: they differ.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <regex>
 #include <set>
@@ -164,6 +165,11 @@ std::string StageMutants::logic(const std::vector<Mutant>& mutants) const {
     sources.insert(sources.end(), all_rules.begin(), all_rules.end());
   }
   return to_gates(netlist, top, read_command(sources), directory_);
+}
+
+bool is_pipeline(const StageMutants& stage) {
+  constexpr std::array<std::string_view, 5> kPipelines{"group", "footprint", "plan", "address", "filter"};
+  return std::ranges::find(kPipelines, stage.stage()) != kPipelines.end();
 }
 
 }  // namespace feline::mutation

@@ -58,4 +58,8 @@ class StageMutants {
   std::string text_;
 };
 
+// Whether it is a pipeline of stream registers alone, whose proofs of streams (feline prove) leave only what a beat
+// makes of another one.
+bool is_pipeline(const StageMutants& stage);
+
 }  // namespace feline::mutation

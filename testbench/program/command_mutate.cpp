@@ -68,6 +68,7 @@ mutation::StageResult run_stage(const std::string& name, const MutateOptions& op
   // What takes least time comes first.
   try_mutants(stage, {"smoke"}, workshop, fates);
   try_leaves(stage, true, workshop, fates);
+  prove_registers(stage, workshop, fates);
   compare_logic(stage, mutation::Fate::Logic::kSame, workshop, fates);
   try_mutants(stage, {"close", "pace", "suite"}, workshop, fates);
   try_leaves(stage, false, workshop, fates);
