@@ -19,13 +19,14 @@ bool has_no_alpha(const Texture& texture) {
 
 }  // namespace
 
-TextureMemory layout_texture(const Texture& texture) {
+TextureMemory layout_texture(const Texture& texture, std::int64_t first_line) {
   const auto texel_bytes = static_cast<std::size_t>(bytes_per_texel(texture.format));
   TextureMemory memory;
   memory.is_opaque = has_no_alpha(texture);
+  memory.first_line = first_line;
   for (const MipLevel& level : texture.levels) {
     const auto first = static_cast<std::int64_t>(memory.lines());
-    memory.level_base.push_back(first);
+    memory.level_base.push_back(first_line + first);
     const int tiles_a_row = (level.width + kTileSide - 1) / kTileSide;
     memory.bytes.resize(memory.bytes.size() +
                         static_cast<std::size_t>(level_lines(level.width, level.height)) * kLineBytes);

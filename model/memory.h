@@ -24,15 +24,20 @@ constexpr std::int64_t level_lines(int width, int height) {
 struct TextureMemory {
   std::vector<std::uint8_t> bytes;
   std::vector<std::int64_t> level_base;  // first line of each level
+  std::int64_t first_line = 0;           // where the bytes are in the memory
   bool is_opaque = false;                // RGBA8, and every alpha is 255
 
   bool opaque() const { return is_opaque; }
   std::size_t lines() const { return bytes.size() / kLineBytes; }
+  bool has_line(std::int64_t index) const {
+    return index >= first_line && index - first_line < static_cast<std::int64_t>(lines());
+  }
   std::span<const std::uint8_t> line(std::int64_t index) const {
-    return std::span(bytes).subspan(static_cast<std::size_t>(index) * kLineBytes, kLineBytes);
+    return std::span(bytes).subspan(static_cast<std::size_t>(index - first_line) * kLineBytes, kLineBytes);
   }
 };
 
-TextureMemory layout_texture(const Texture& texture);
+// Its first level begins at `first_line`.
+TextureMemory layout_texture(const Texture& texture, std::int64_t first_line = 0);
 
 }  // namespace feline

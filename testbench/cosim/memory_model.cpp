@@ -21,7 +21,7 @@ void MemoryModel::begin_cycle(std::uint64_t cycle) {
 
 bool MemoryModel::take_request(std::uint32_t line, std::uint64_t cycle) {
   ++requests_;
-  if (line >= memory_.lines()) return false;
+  if (!memory_.has_line(line)) return false;
   waiting_.push_back({line, cycle + latency_ + (jitter_ ? random_.below(latency_ + 1) : 0)});
   return true;
 }

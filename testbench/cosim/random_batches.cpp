@@ -213,7 +213,10 @@ Batch RandomBatches::make(std::uint64_t number, std::uint64_t lookups) {
     loaded_ = number / 2;
     SplitMix64 random(derived_seed(derived_seed(seed_, 1), number / 2));
     texture_ = random_texture(random);
-    memory_ = layout_texture(texture_);
+    // Anywhere in the memory, so that every bit of a line's number matters.
+    std::int64_t spare = Formats<kUnit>::kLine.max_raw() + 1;
+    for (const MipLevel& level : texture_.levels) spare -= level_lines(level.width, level.height);
+    memory_ = layout_texture(texture_, random.below(static_cast<std::uint32_t>(spare + 1)));
   }
   SplitMix64 random(derived_seed(seed_, number));
   options_ = random_sampler(random, choices_);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <unordered_map>
 
 #include "testbench/text_number.h"
 
@@ -141,12 +142,18 @@ std::string to_binary(const Aiger& aiger) {
 
 namespace {
 
-// Adds the gates of `from` to `to` and gives each literal's new one. What `from` has for variables up to its last latch
-// is given.
-std::vector<std::uint32_t> copy_gates(const Aiger& from, std::vector<std::uint32_t> variables, Aiger& to) {
+// Gives each variable's literal in another circuit, whose gates `add` makes. What `from` has for variables up to its
+// last latch is given.
+template <typename Add>
+std::vector<std::uint32_t> copy_gates(const Aiger& from, std::vector<std::uint32_t> variables, const Add& add) {
   const auto moved = [&](std::uint32_t literal) { return variables[literal / 2] ^ (literal & 1); };
-  for (const Aiger::Gate& gate : from.gates) variables.push_back(to.add_gate(moved(gate.left), moved(gate.right)));
+  for (const Aiger::Gate& gate : from.gates) variables.push_back(add(moved(gate.left), moved(gate.right)));
   return variables;
+}
+
+std::vector<std::uint32_t> copy_gates(const Aiger& from, std::vector<std::uint32_t> variables, Aiger& to) {
+  return copy_gates(from, std::move(variables),
+                    [&](std::uint32_t left, std::uint32_t right) { return to.add_gate(left, right); });
 }
 
 std::vector<std::uint32_t> own_variables(const Aiger& aiger) {
@@ -228,24 +235,62 @@ std::uint32_t looked_at(const Ports& ports, const std::string& name, bool& of_in
 
 }  // namespace
 
+namespace {
+
+// Two circuits of the same inputs in one, with the latches of both; one latch more is free.
+struct Both {
+  Aiger aiger;
+  std::vector<std::uint32_t> rights, wrongs;  // literals of either's variables
+
+  std::uint32_t of_right(std::uint32_t literal) const { return rights[literal / 2] ^ (literal & 1); }
+  std::uint32_t of_wrong(std::uint32_t literal) const { return wrongs[literal / 2] ^ (literal & 1); }
+};
+
+// Latches of `wrong` that `are_same` use those of `right`; equal gates are one.
+Both joined(const Aiger& right, const Aiger& wrong, const std::vector<bool>& are_same) {
+  const auto latches = static_cast<std::uint32_t>(right.next.size());
+  Both both{{right.inputs, std::vector<std::uint32_t>(2 * latches + 1), {}, {}}, {}, {}};
+  std::vector<std::uint32_t> of_right;
+  for (std::uint32_t i = 0; i < both.aiger.first_latch(); ++i) of_right.push_back(2 * i);
+  std::vector<std::uint32_t> of_wrong = of_right;
+  for (std::uint32_t i = 0; i < latches; ++i) {
+    of_right.push_back(2 * (both.aiger.first_latch() + i));
+    of_wrong.push_back(are_same[i] ? of_right.back() : of_right.back() + 2 * latches);
+  }
+  std::unordered_map<std::uint64_t, std::uint32_t> known;
+  const auto add = [&](std::uint32_t left, std::uint32_t right) {
+    const auto [place, is_new] = known.emplace(std::uint64_t{std::max(left, right)} << 32 | std::min(left, right), 0);
+    if (is_new) place->second = both.aiger.add_gate(left, right);
+    return place->second;
+  };
+  both.rights = copy_gates(right, std::move(of_right), add);
+  both.wrongs = copy_gates(wrong, std::move(of_wrong), add);
+  return both;
+}
+
+// With as many of the latches the same as take the same next, all of these being the same.
+Both joined(const Aiger& right, const Aiger& wrong) {
+  std::vector<bool> are_same(right.next.size(), true);
+  while (true) {
+    Both both = joined(right, wrong, are_same);
+    const std::vector<bool> before = are_same;
+    for (std::size_t i = 0; i < are_same.size(); ++i) {
+      if (both.of_right(right.next[i]) != both.of_wrong(wrong.next[i])) are_same[i] = false;
+    }
+    if (are_same == before) return both;
+  }
+}
+
+}  // namespace
+
 Aiger observed_difference(const Aiger& right, const Aiger& wrong) {
   const auto latches = static_cast<std::uint32_t>(right.next.size());
-  Aiger miter{right.inputs, std::vector<std::uint32_t>(2 * latches + 1), {}, {}};
-  std::vector<std::uint32_t> shared;
-  for (std::uint32_t i = 0; i < miter.first_latch(); ++i) shared.push_back(2 * i);
-  const auto with_latches = [&](std::uint32_t first) {
-    std::vector<std::uint32_t> variables = shared;
-    for (std::uint32_t i = 0; i < latches; ++i) variables.push_back(2 * (miter.first_latch() + first + i));
-    return variables;
-  };
-  const std::vector<std::uint32_t> rights = copy_gates(right, with_latches(0), miter);
-  const std::vector<std::uint32_t> wrongs = copy_gates(wrong, with_latches(latches), miter);
-  const auto of_right = [&](std::uint32_t literal) { return rights[literal / 2] ^ (literal & 1); };
-  const auto of_wrong = [&](std::uint32_t literal) { return wrongs[literal / 2] ^ (literal & 1); };
+  Both both = joined(right, wrong);
+  Aiger& miter = both.aiger;
   const auto either = [&](std::uint32_t a, std::uint32_t b) { return miter.add_gate(a ^ 1, b ^ 1) ^ 1; };
   for (std::uint32_t i = 0; i < latches; ++i) {
-    miter.next[i] = of_right(right.next[i]);
-    miter.next[latches + i] = of_wrong(wrong.next[i]);
+    miter.next[i] = both.of_right(right.next[i]);
+    miter.next[latches + i] = both.of_wrong(wrong.next[i]);
   }
   const Ports ports(right);
   std::uint32_t differs = 0;
@@ -254,18 +299,19 @@ Aiger observed_difference(const Aiger& right, const Aiger& wrong) {
     if (name == "legal_o") continue;
     bool of_input = false;
     const std::uint32_t when = looked_at(ports, name, of_input);
-    const std::uint32_t a = of_right(right.outputs[i].literal);
-    const std::uint32_t b = of_wrong(wrong.outputs[i].literal);
+    const std::uint32_t a = both.of_right(right.outputs[i].literal);
+    const std::uint32_t b = both.of_wrong(wrong.outputs[i].literal);
+    if (a == b) continue;
     const std::uint32_t other = either(miter.add_gate(a, b ^ 1), miter.add_gate(a ^ 1, b));
-    differs = either(differs, miter.add_gate(other, of_input ? when : of_right(when)));
+    differs = either(differs, miter.add_gate(other, of_input ? when : both.of_right(when)));
   }
   // The last latch: something was not legal.
   const std::uint32_t broken = 2 * (miter.first_latch() + 2 * latches);
   const Aiger::Output* const legal = ports.output("legal_o");
-  const std::uint32_t so_far = miter.add_gate(broken ^ 1, legal == nullptr ? 1 : of_right(legal->literal));
+  const std::uint32_t so_far = miter.add_gate(broken ^ 1, legal == nullptr ? 1 : both.of_right(legal->literal));
   miter.next[2 * latches] = so_far ^ 1;
   miter.outputs.push_back({miter.add_gate(so_far, differs), "differs"});
-  return miter;
+  return std::move(miter);
 }
 
 Aiger steady_flow(const Aiger& aiger, std::size_t cycles) {
