@@ -205,6 +205,17 @@ Lookup random_lookup(SplitMix64& random, int width, int height) {
   }
 }
 
+namespace {
+
+// A first line from which the texture fits, so that every bit of a line's number matters.
+std::int64_t any_place(SplitMix64& random, const Texture& texture) {
+  std::int64_t places = Formats<kUnit>::kLine.max_raw() + 2;
+  for (const MipLevel& level : texture.levels) places -= level_lines(level.width, level.height);
+  return random.below(static_cast<std::uint32_t>(places));
+}
+
+}  // namespace
+
 RandomBatches::RandomBatches(std::uint64_t seed, std::uint64_t batch_lookups)
     : seed_(seed), batch_lookups_(batch_lookups) {}
 
@@ -213,10 +224,7 @@ Batch RandomBatches::make(std::uint64_t number, std::uint64_t lookups) {
     loaded_ = number / 2;
     SplitMix64 random(derived_seed(derived_seed(seed_, 1), number / 2));
     texture_ = random_texture(random);
-    // Anywhere in the memory, so that every bit of a line's number matters.
-    std::int64_t spare = Formats<kUnit>::kLine.max_raw() + 1;
-    for (const MipLevel& level : texture_.levels) spare -= level_lines(level.width, level.height);
-    memory_ = layout_texture(texture_, random.below(static_cast<std::uint32_t>(spare + 1)));
+    memory_ = layout_texture(texture_, anywhere_ ? any_place(random, texture_) : 0);
   }
   SplitMix64 random(derived_seed(seed_, number));
   options_ = random_sampler(random, choices_);

@@ -19,7 +19,7 @@ Lookup random_lookup(SplitMix64& random, int width, int height);
 // of seed and number alone. Lookups are those of random_lookup; an eighth of them have one operand of float_patterns.h,
 // whose every value each operand has within kPatternPeriod lookups. Two batches after one another share a texture: the
 // second begins at once, in another mode. Textures: every format, sRGB, powers of two and not, 1 x 1, 1 x N, N x 1, up
-// to 16384 wide; full and cut mip chains.
+// to 16384 wide; full and cut mip chains; anywhere in the unit's memory.
 class RandomBatches {
  public:
   static constexpr std::uint64_t kPatternPeriod = std::uint64_t{8} * 6 * kFloatPatterns;
@@ -28,6 +28,8 @@ class RandomBatches {
   void set_choices(SamplerChoices choices) { choices_ = std::move(choices); }
   // Gives every batch conditions of its own.
   void vary_conditions() { vary_ = true; }
+  // Every texture begins at line 0 of the memory.
+  void keep_at_line_0() { anywhere_ = false; }
   // Valid until the next call. The last batch of `lookups` may be shorter.
   Batch make(std::uint64_t number, std::uint64_t lookups);
   const SamplerOptions& options() const { return options_; }
@@ -37,6 +39,7 @@ class RandomBatches {
   std::uint64_t batch_lookups_;
   SamplerChoices choices_;
   bool vary_ = false;
+  bool anywhere_ = true;
   std::optional<std::uint64_t> loaded_;  // the pair of batches whose texture it is
   SamplerOptions options_;
   Texture texture_;

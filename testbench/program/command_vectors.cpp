@@ -150,6 +150,7 @@ int run_vectors(const VectorsOptions& options) {
     options.subject.check_random();
     // One sampler and texture: a simulator without a driver loads its state once.
     RandomBatches batches(options.seed, *options.random);
+    batches.keep_at_line_0();
     batches.set_choices(options.sampler.random_choices());
     append_batch(files, batches.make(0, *options.random));
   } else {

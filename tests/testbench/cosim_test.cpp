@@ -157,6 +157,27 @@ TEST(cosim, sums_that_all_but_round_the_other_way) {
   EXPECT_GE(bordered, kLookups / 2);
 }
 
+TEST(cosim, textures_lie_anywhere_unless_they_are_kept) {
+  RandomBatches batches(1, 16);
+  RandomBatches kept(1, 16);
+  kept.keep_at_line_0();
+  std::int64_t bits = 0;
+  for (std::uint64_t i = 0; i < 200; ++i) {
+    const Batch batch = batches.make(i, 4000);
+    EXPECT_TRUE(batch.memory->has_line(batch.memory->first_line));
+    EXPECT_FALSE(batch.memory->has_line(batch.memory->first_line - 1));
+    const auto end = batch.memory->first_line + static_cast<std::int64_t>(batch.memory->lines());
+    EXPECT_FALSE(batch.memory->has_line(end));
+    EXPECT_LE(end, Formats<kUnit>::kLine.max_raw() + 1);
+    bits |= batch.memory->first_line;
+    const Batch same = kept.make(i, 4000);
+    EXPECT_EQ(same.memory->level_base[0], 0);
+    EXPECT_EQ(same.memory->bytes, batch.memory->bytes);
+    EXPECT_TRUE(std::ranges::equal(same.memory->line(0), batch.memory->line(batch.memory->first_line)));
+  }
+  EXPECT_EQ(bits, Formats<kUnit>::kLine.max_raw());
+}
+
 TEST(cosim, two_batches_share_a_texture_and_follow_at_once) {
   RandomBatches batches(5, 16);
   const Batch first = batches.make(0, 1000);
