@@ -42,7 +42,8 @@ void note_instances(const Json& modules, const std::string& module, const std::s
   instances[path] = module;
   for (const auto& [name, cell] : modules[module]["cells"].items()) {
     const std::string type = cell["type"];
-    if (modules.contains(type)) note_instances(modules, type, path.empty() ? name : path + "." + name, instances);
+    const std::string inner = path.empty() ? name : fmt::format("{}.{}", path, name);
+    if (modules.contains(type)) note_instances(modules, type, inner, instances);
   }
 }
 

@@ -19,7 +19,7 @@ namespace {
 // Files of a room, without its rooms. A name begins so; survivors.json and certificates decide nothing here.
 struct Part {
   std::string_view room;
-  std::string_view begin = "";
+  std::string_view begin{};
 };
 constexpr std::array kTrials{Part{"rtl"},
                              Part{"model"},

@@ -101,7 +101,7 @@ Netlist::Netlist(std::string_view json, std::string_view module) {
   gates = sorted(gates, outputs);
 }
 
-Netlist::Netlist(std::vector<Gate> all_gates, std::vector<std::uint32_t> input_nets,
+Netlist::Netlist(const std::vector<Gate>& all_gates, std::vector<std::uint32_t> input_nets,
                  std::vector<std::uint32_t> output_nets)
     : gates(sorted(all_gates, output_nets)), inputs(std::move(input_nets)), outputs(std::move(output_nets)) {}
 

@@ -27,7 +27,8 @@ struct Netlist {
   Netlist(std::string_view json, std::string_view module);
 
   // Those of these gates, in any order, that outputs need. Throws std::runtime_error for a loop.
-  Netlist(std::vector<Gate> all_gates, std::vector<std::uint32_t> input_nets, std::vector<std::uint32_t> output_nets);
+  Netlist(const std::vector<Gate>& all_gates, std::vector<std::uint32_t> input_nets,
+          std::vector<std::uint32_t> output_nets);
 
   // What is left when bits of the inputs are constant: those of `mask` have the value in `bits` (lanes, as in
   // testbench/prove/lane.h).
