@@ -115,6 +115,14 @@ int random_side(SplitMix64& random) {
   }
 }
 
+// Of a strip: any length, often the greatest; a line of texels, or some rows of tiles, so that the length matters to
+// where a row is.
+int long_side(SplitMix64& random, int largest) {
+  if (random.below(2) != 0) return largest - static_cast<int>(random.below(2));
+  return 1 + static_cast<int>(random.below(static_cast<std::uint32_t>(largest)));
+}
+int short_side(SplitMix64& random) { return 1 + static_cast<int>(random.below(random.below(2) != 0 ? 3 : 12)); }
+
 Texture random_texture(SplitMix64& random) {
   constexpr int kLargest = 1 << kUnit.max_size_log2;
   const auto format = static_cast<TexelFormat>(random.below(3));
@@ -126,12 +134,12 @@ Texture random_texture(SplitMix64& random) {
     case 1: height = 1; break;
     case 2: width = height = 1; break;
     case 3:
-      width = kLargest - static_cast<int>(random.below(2));
-      height = 1 + static_cast<int>(random.below(3));
+      width = long_side(random, kLargest);
+      height = std::min(short_side(random), kLargest);
       break;
     case 4:
-      height = kLargest - static_cast<int>(random.below(2));
-      width = 1 + static_cast<int>(random.below(3));
+      width = std::min(short_side(random), kLargest);
+      height = long_side(random, kLargest);
       break;
     default: break;
   }

@@ -17,7 +17,7 @@ struct Fate {
   std::string name{};        // what it is, in words
   std::string tier{};        // that killed it; empty for a survivor
   std::string stage{};       // that the mismatch named, or a leaf; "pace" when no beat was wrong
-  std::uint64_t lookup = 0;  // or the number of the leaf's input
+  std::uint64_t lookup = 0;  // of the mismatch; of a leaf, the number of the input
   std::uint64_t cycles = 0;
   double milliseconds = 0;
   // Of a survivor: its logic, with all registers and memories cut open, is that of the stage, or that of its leaf for
@@ -39,7 +39,8 @@ void try_mutants(const StageMutants& stage, const std::vector<std::string>& tier
 
 // Tries those that no tier has killed and that are not proved the same on the leaves of `feline prove` that the stage
 // is made of: what differs anywhere in a domain, its enumeration kills, tier kExhaustive; what differs nowhere in a
-// complete one is proved the same. Quick: at 2^24 inputs of each leaf; else at all of a complete one, and at 2^32.
+// complete one is proved the same. Quick: at 2^24 inputs of each leaf; else at all of a complete one, and at 2^32 of
+// any other.
 inline constexpr const char* kExhaustive = "exhaustive";
 void try_leaves(const StageMutants& stage, bool quick, const Workshop& workshop, std::vector<Fate>& fates);
 

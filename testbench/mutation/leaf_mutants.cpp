@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 #include "testbench/mutation/same_sites.h"
 
@@ -52,9 +51,7 @@ std::optional<Mutant> LeafMutants::in_leaf(const Mutant& mutant) const {
 }
 
 Aiger LeafMutants::logic(const std::vector<Mutant>& mutants) const {
-  std::set<std::uint32_t> numbers;
-  for (const Mutant& mutant : mutants) numbers.insert(mutant.site);
-  const std::vector<std::uint32_t> only(numbers.begin(), numbers.end());
+  const std::vector<std::uint32_t> only = site_numbers(mutants);
   const InstrumentedStage instrumented = instrument(elaboration_.netlist, top_, &only, true);
   std::vector<std::filesystem::path> sources{source_ / "testbench" / "mutation" / "feline_mutation_site.sv"};
   for (const std::string& rom : instrumented.roms) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "testbench/random.h"
 
@@ -51,6 +52,12 @@ std::vector<Mutant> site_mutants(const Site& site) {
     }
   }
   return mutants;
+}
+
+std::vector<std::uint32_t> site_numbers(const std::vector<Mutant>& mutants) {
+  std::set<std::uint32_t> numbers;
+  for (const Mutant& mutant : mutants) numbers.insert(mutant.site);
+  return {numbers.begin(), numbers.end()};
 }
 
 std::vector<Mutant> draw_mutants(const std::vector<Site>& sites, std::size_t count, std::uint64_t seed) {

@@ -49,6 +49,9 @@ std::uint64_t code(const Mutant& mutant);
 // Every mutant of a site.
 std::vector<Mutant> site_mutants(const Site& site);
 
+// The numbers of the sites of mutants, each once, rising.
+std::vector<std::uint32_t> site_numbers(const std::vector<Mutant>& mutants);
+
 // `count` different mutants, or as many as there are: a site, then a bit and a kind, each as likely as any other. A
 // function of the seed.
 std::vector<Mutant> draw_mutants(const std::vector<Site>& sites, std::size_t count, std::uint64_t seed);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // In the registers of a pipeline.
 #include <map>
-#include <set>
 
 #include "testbench/mutation/fate.h"
 #include "testbench/mutation/same_sites.h"
@@ -12,14 +11,10 @@
 namespace feline::mutation {
 namespace {
 
-using OpenFates = std::vector<std::pair<Fate*, Mutant>>;  // and the mutant of the register alone
-
 // The register with these mutants of its own.
-Aiger register_logic(const Elaboration& elaboration, const std::string& module, const OpenFates& open,
+Aiger register_logic(const Elaboration& elaboration, const std::string& module, const std::vector<Mutant>& mutants,
                      const Workshop& workshop, const std::filesystem::path& directory) {
-  std::set<std::uint32_t> numbers;
-  for (const auto& [fate, mutant] : open) numbers.insert(mutant.site);
-  const std::vector<std::uint32_t> only(numbers.begin(), numbers.end());
+  const std::vector<std::uint32_t> only = site_numbers(mutants);
   const auto site = workshop.source / "testbench" / "mutation" / "feline_mutation_site.sv";
   const auto netlist = instrument(elaboration.netlist, module, &only, true).netlist;
   return read_aiger(to_gates(netlist, module, read_command({std::filesystem::absolute(site)}), directory));
@@ -32,31 +27,30 @@ void prove_register(const StageMutants& stage, const std::string& module, const 
   const std::vector<Site> own = instrument(elaboration.netlist, module, nullptr, true).sites;
   std::map<std::uint32_t, std::uint32_t> sites;
   for (const std::string& path : paths) sites.merge(same_sites(stage.sites(), path, own, ""));
-  OpenFates open;
-  std::vector<Fate*> open_fates;
+  std::vector<Fate*> open;
+  std::vector<Mutant> mutants;
   for (Fate& fate : fates) {
     const auto site = sites.find(fate.mutant.site);
     if (!fate.tier.empty() || fate.proved() || fate.mutant.kind == Kind::kRomBit || site == sites.end()) continue;
-    Mutant mutant = fate.mutant;
-    mutant.site = site->second;
-    open.emplace_back(&fate, mutant);
-    open_fates.push_back(&fate);
+    open.push_back(&fate);
+    mutants.push_back(fate.mutant);
+    mutants.back().site = site->second;
   }
   if (open.empty()) return;
-  const std::string key = workshop.cache.key({"register", workshop.proofs, stage.text(), module, codes_of(open_fates)});
+  const std::string key = workshop.cache.key({"register", workshop.proofs, stage.text(), module, codes_of(open)});
   std::string proved = workshop.cache.read(key).value_or("");
   if (proved.size() != open.size()) {
-    const Aiger logic = register_logic(elaboration, module, open, workshop, directory);
+    const Aiger logic = register_logic(elaboration, module, mutants, workshop, directory);
     const Aiger right = with_input(logic, "mutant", 0);
     proved.assign(open.size(), '0');
     for_each_index(0, static_cast<std::int64_t>(open.size()), [&](std::int64_t i) {
       const auto place = static_cast<std::size_t>(i);
-      if (unobserved(right, with_input(logic, "mutant", code(open[place].second)))) proved[place] = '1';
+      if (unobserved(right, with_input(logic, "mutant", code(mutants[place])))) proved[place] = '1';
     });
     workshop.cache.write(key, proved);
   }
   for (std::size_t i = 0; i < open.size(); ++i) {
-    if (proved[i] == '1') open[i].first->logic = Fate::Logic::kUnobserved;
+    if (proved[i] == '1') open[i]->logic = Fate::Logic::kUnobserved;
   }
 }
 

@@ -7,7 +7,6 @@
 #include <array>
 #include <map>
 #include <regex>
-#include <set>
 #include <stdexcept>
 
 #include "tables/stages.h"
@@ -140,9 +139,7 @@ bool StageMutants::in_stream(const Mutant& mutant) const {
 }
 
 std::string StageMutants::logic(const std::vector<Mutant>& mutants) const {
-  std::set<std::uint32_t> numbers;
-  for (const Mutant& mutant : mutants) numbers.insert(mutant.site);
-  const std::vector<std::uint32_t> only(numbers.begin(), numbers.end());
+  const std::vector<std::uint32_t> only = site_numbers(mutants);
   const std::string top = "feline_" + stage_;
   nlohmann::ordered_json netlist = instrument(elaboration_.netlist, top, &only, true).netlist;
   const std::filesystem::path package = source_ / "tables" / "generated" / "feline_pkg.sv";

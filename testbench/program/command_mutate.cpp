@@ -117,8 +117,8 @@ void add_mutate(CLI::App& program, int& exit_code) {
       program.add_subcommand("mutate", "breaks the RTL in thousands of places, one at a time, and sees what notices");
   command->footer(
       "A mutant is a bit of an operator's port, inverted, stuck, or inverted by another bit, as in Yosys' mutate; one\n"
-      "build of a stage runs all of its mutants. Those that the first trial does not kill are tried on all inputs of\n"
-      "the stage's leaves (feline prove) and compared with the stage by SAT; what is neither killed nor proved the\n"
+      "build of a stage runs all of its mutants. Those that the first trial does not kill are tried over the domains\n"
+      "of the stage's leaves (feline prove) and compared with the stage by SAT; what is neither killed nor proved the\n"
       "same must be in testbench/mutation/survivors.json with a reason, or the exit code is 1, as for a reason of one\n"
       "that is killed or proved. Goes on where it was stopped. Those of the model are tried on the leaves and the\n"
       "model's tests.\n"

@@ -157,6 +157,22 @@ TEST(cosim, sums_that_all_but_round_the_other_way) {
   EXPECT_GE(bordered, kLookups / 2);
 }
 
+TEST(cosim, strips_are_of_every_length_and_some_rows_of_tiles) {
+  RandomBatches batches(1, 16);
+  std::uint32_t bits = 0;
+  int tall = 0;
+  for (std::uint64_t i = 0; i < 400; i += 2) {
+    const Batch batch = batches.make(i, 8000);
+    const auto width = static_cast<std::uint32_t>(batch.sampler.width.raw());
+    const auto height = static_cast<std::uint32_t>(batch.sampler.height.raw());
+    if (std::min(width, height) <= 4 || std::max(width, height) <= 90) continue;
+    bits |= std::max(width, height);
+    ++tall;
+  }
+  EXPECT_GT(tall, 4);
+  EXPECT_EQ(bits | 1U << kUnit.max_size_log2, (2U << kUnit.max_size_log2) - 1);
+}
+
 TEST(cosim, textures_lie_anywhere_unless_they_are_kept) {
   RandomBatches batches(1, 16);
   RandomBatches kept(1, 16);

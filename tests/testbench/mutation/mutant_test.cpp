@@ -91,5 +91,11 @@ TEST(mutant, a_site_has_as_many_as_can_be_drawn) {
   EXPECT_EQ(all, drawn);
 }
 
+TEST(mutation_mutant, sites_are_numbered_once) {
+  EXPECT_EQ(site_numbers({{7, Kind::kZero, 1, 0}, {3, Kind::kOne, 0, 0}, {7, Kind::kInvert, 0, 0}}),
+            (std::vector<std::uint32_t>{3, 7}));
+  EXPECT_TRUE(site_numbers({}).empty());
+}
+
 }  // namespace
 }  // namespace feline::mutation
