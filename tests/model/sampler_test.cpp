@@ -129,6 +129,25 @@ TEST(sampler, border_has_the_channels_of_the_format) {
   EXPECT_EQ(border_of(TexelFormat::kRgba8), (std::array{0.2, 0.4, 0.6, 0.8}));
 }
 
+TEST(memory, a_texture_may_lie_anywhere) {
+  constexpr std::int64_t kFirst = 12345;
+  Random random(3);
+  for (const auto& scene : make_scenes(random, Content::kNoise)) {
+    const TextureMemory moved = layout_texture(scene.texture, kFirst);
+    const auto lines = static_cast<std::int64_t>(scene.memory.lines());
+    ASSERT_EQ(moved.bytes, scene.memory.bytes);
+    for (std::size_t k = 0; k < scene.memory.level_base.size(); ++k) {
+      ASSERT_EQ(moved.level_base[k], scene.memory.level_base[k] + kFirst);
+    }
+    for (const std::int64_t line : {std::int64_t{0}, lines - 1}) {
+      ASSERT_TRUE(moved.has_line(kFirst + line));
+      ASSERT_TRUE(std::ranges::equal(moved.line(kFirst + line), scene.memory.line(line)));
+    }
+    ASSERT_FALSE(moved.has_line(kFirst - 1));
+    ASSERT_FALSE(moved.has_line(kFirst + lines));
+  }
+}
+
 // Tiles of 4 x 4, rows of tiles, levels one after the other: each texel once, and nothing else but zeros.
 TEST(memory, layout_holds_every_texel_once) {
   Random random(2);
