@@ -10,25 +10,29 @@
 namespace feline {
 namespace {
 
-page::Finished run_tool(const std::vector<std::string>& command, std::string_view needs_it) {
+constexpr std::string_view kPackage = "yosys";
+
+}  // namespace
+page::Finished run_tool(const std::vector<std::string>& command, std::string_view package, std::string_view needs_it) {
   try {
     return page::run_process(command, "");
   } catch (const std::system_error& error) {
     throw InputError(
-        fmt::format("{}: {}; {} (Debian package yosys)", command.front(), error.code().message(), needs_it));
+        fmt::format("{}: {}; {} (Debian package {})", command.front(), error.code().message(), needs_it, package));
   }
 }
-
-}  // namespace
 
 page::Finished run_yosys(const std::vector<std::string>& arguments, std::string_view needs_it) {
   std::vector<std::string> command{"yosys"};
   command.insert(command.end(), arguments.begin(), arguments.end());
-  return run_tool(command, needs_it);
+  return run_tool(command, kPackage, needs_it);
 }
 
-page::Finished run_abc(const std::string& commands, std::string_view needs_it) {
-  return run_tool({"yosys-abc", "-q", commands}, needs_it);
+page::Finished run_abc(const std::string& commands, std::string_view needs_it, std::optional<int> seconds) {
+  std::vector<std::string> command{"yosys-abc", "-q", commands};
+  // abc looks at its own limits in places only.
+  if (seconds) command.insert(command.begin(), {"timeout", std::to_string(*seconds)});
+  return run_tool(command, kPackage, needs_it);
 }
 
 std::string yosys_version(std::string_view needs_it) {

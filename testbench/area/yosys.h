@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,7 +13,12 @@ namespace feline {
 // Runs Yosys, or its abc. `needs_it` is who, for the message: "areas need it". Throws InputError, which says what to
 // install, when it is not there.
 page::Finished run_yosys(const std::vector<std::string>& arguments, std::string_view needs_it);
-page::Finished run_abc(const std::string& commands, std::string_view needs_it);
+// Of abc, no longer than so many seconds if they are given; the exit code is then kOutOfTime.
+inline constexpr int kOutOfTime = 124;
+page::Finished run_abc(const std::string& commands, std::string_view needs_it, std::optional<int> seconds = {});
+
+// Runs any tool, which is in this Debian package.
+page::Finished run_tool(const std::vector<std::string>& command, std::string_view package, std::string_view needs_it);
 
 // "Yosys 0.23".
 std::string yosys_version(std::string_view needs_it);

@@ -4,9 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <exception>
 #include <map>
-#include <mutex>
 
 #include "testbench/json_input.h"
 #include "testbench/measure/render_rows.h"
@@ -156,36 +154,28 @@ std::vector<Measurement> BudgetScene::measure_all(Progress& progress) {
   for (auto& [variant, indices] : by_variant) batches.push_back(std::move(indices));
   Progress part(progress, kVariantsShare, space.size());
   std::vector<Measurement> measurements(space.size());
-  std::mutex mutex;
-  std::exception_ptr failure;
   for_each_index(0, static_cast<std::int64_t>(batches.size()), [&](std::int64_t number) {
     const std::vector<std::size_t>& batch = batches[static_cast<std::size_t>(number)];
-    try {
-      std::string what = fmt::format("budget {}", options_.runs);
+    std::string what = fmt::format("budget {}", options_.runs);
+    for (const std::size_t i : batch) {
+      what += fmt::format("; {}; {}", sampler_name(space[i]), widths_name(space[i]));
+    }
+    const std::string name = key(what);
+    nlohmann::ordered_json results;
+    if (const auto stored = cache_.read(name)) {
+      results = nlohmann::ordered_json::parse(*stored);
+      part.advance(batch.size());
+    } else {
       for (const std::size_t i : batch) {
-        what += fmt::format("; {}; {}", sampler_name(space[i]), widths_name(space[i]));
+        results.push_back(to_json(render(space[i], options_.runs)));
+        part.advance(1);
       }
-      const std::string name = key(what);
-      nlohmann::ordered_json results;
-      if (const auto stored = cache_.read(name)) {
-        results = nlohmann::ordered_json::parse(*stored);
-        part.advance(batch.size());
-      } else {
-        for (const std::size_t i : batch) {
-          results.push_back(to_json(render(space[i], options_.runs)));
-          part.advance(1);
-        }
-        cache_.write(name, results.dump());
-      }
-      for (std::size_t k = 0; k < batch.size(); ++k) {
-        measurements[batch[k]] = finish(space[batch[k]], raw_from_json(results.at(k)));
-      }
-    } catch (...) {
-      const std::scoped_lock lock(mutex);
-      failure = std::current_exception();
+      cache_.write(name, results.dump());
+    }
+    for (std::size_t k = 0; k < batch.size(); ++k) {
+      measurements[batch[k]] = finish(space[batch[k]], raw_from_json(results.at(k)));
     }
   });
-  if (failure) std::rethrow_exception(failure);
   return measurements;
 }
 

@@ -314,6 +314,34 @@ Aiger observed_difference(const Aiger& right, const Aiger& wrong) {
   return std::move(miter);
 }
 
+bool moves_by_itself(const Aiger& aiger) {
+  std::vector<bool> is_seen(aiger.first_gate() + aiger.gates.size());
+  std::vector<std::uint32_t> open;
+  const auto look_at = [&](std::uint32_t literal) {
+    if (is_seen[literal / 2]) return;
+    is_seen[literal / 2] = true;
+    open.push_back(literal / 2);
+  };
+  for (const Aiger::Output& output : aiger.outputs) {
+    if (output.name.ends_with("_valid_o") || output.name.ends_with("_ready_o")) look_at(output.literal);
+  }
+  while (!open.empty()) {
+    const std::uint32_t variable = open.back();
+    open.pop_back();
+    if (variable >= aiger.first_gate()) {
+      const Aiger::Gate& gate = aiger.gates[variable - aiger.first_gate()];
+      look_at(gate.left);
+      look_at(gate.right);
+    } else if (variable >= aiger.first_latch()) {
+      look_at(aiger.next[variable - aiger.first_latch()]);
+    } else if (variable > 0) {
+      const std::string& name = aiger.inputs[variable - 1];
+      if (name != "rst_i" && !name.ends_with("_valid_i") && !name.ends_with("_ready_i")) return false;
+    }
+  }
+  return true;
+}
+
 Aiger steady_flow(const Aiger& aiger, std::size_t cycles) {
   Aiger flow{aiger.inputs, {}, {}, {}};
   std::vector<std::uint32_t> given{0};

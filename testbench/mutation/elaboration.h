@@ -10,6 +10,9 @@
 
 namespace feline::mutation {
 
+// For the message when a tool is not there.
+inline constexpr std::string_view kMutantsNeedIt = "mutants need it";
+
 // A module of the project, flattened, ROMs kept as instances.
 // NOLINTNEXTLINE(bugprone-exception-escape): "an exception may be thrown" by the JSON's move, which throws nothing.
 struct Elaboration {

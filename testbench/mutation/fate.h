@@ -49,7 +49,7 @@ void try_leaves(const StageMutants& stage, bool quick, const Workshop& workshop,
 void prove_registers(const StageMutants& stage, const Workshop& workshop, std::vector<Fate>& fates);
 
 // Proves by SAT what it can of those that no tier has killed: that all their logic is the stage's (abc &cec); or that
-// nobody sees a difference: in a pipeline's arithmetic, of what a legal beat makes of another one (abc iprove),
+// nobody sees a difference: in a pipeline's arithmetic, of what comes out for a legal beat (CaDiCaL),
 // elsewhere at any time (abc pdr). Bits of ROMs stay unknown: they differ.
 void compare_logic(const StageMutants& stage, Fate::Logic wanted, const Workshop& workshop, std::vector<Fate>& fates);
 

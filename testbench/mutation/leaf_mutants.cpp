@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "testbench/mutation/same_sites.h"
 
@@ -35,10 +36,14 @@ LeafMutants::LeafMutants(const StageMutants& stage, std::string_view wrapper, co
   const std::vector<Site> own = instrument(elaboration_.netlist, top_, nullptr, true).sites;
   for (const auto& [path, module] : elaboration_.instances) {
     if (!is_outermost(path, elaboration_)) continue;
+    bool is_there = false;
     for (const auto& [stage_path, stage_module] : stage.elaboration().instances) {
       if (stage_module != module) continue;
+      is_there = true;
       sites_.merge(same_sites(stage.sites(), stage_path, own, path));
     }
+    // With other parameters the name is another one.
+    if (!is_there) throw std::runtime_error(fmt::format("{}: {} has no {}", top_, stage.stage(), module));
   }
 }
 

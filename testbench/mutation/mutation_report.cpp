@@ -78,7 +78,7 @@ StageResult judge(const std::string& stage, std::size_t sites, std::vector<Fate>
   std::vector<double> times;
   for (const Fate& fate : result.fates) {
     const bool has_reason = reasons != known.end() && reasons->second.contains(fate.name);
-    if (has_reason && (!fate.tier.empty() || fate.proved())) result.stale.push_back(fate.name);
+    if (has_reason && (!fate.tier.empty() || fate.proved() || fate.differs)) result.stale.push_back(fate.name);
     if (!fate.tier.empty()) {
       ++result.killed[fate.tier];
       if (fate.milliseconds > 0) times.push_back(fate.milliseconds);  // not of what is inferred
@@ -86,7 +86,7 @@ StageResult judge(const std::string& stage, std::size_t sites, std::vector<Fate>
       ++result.same;
     } else if (fate.logic == Fate::Logic::kUnobserved) {
       ++result.unobserved;
-    } else if (has_reason) {
+    } else if (has_reason && !fate.differs) {
       result.known[fate.name] = reasons->second.at(fate.name);
     } else {
       result.open.push_back(fate.differs ? fate.name + " (a beat differs, says SAT)" : fate.name);

@@ -7,23 +7,23 @@
 #include <stdexcept>
 #include <string>
 
+#include "testbench/area/yosys.h"
 #include "testbench/atomic_file.h"
-#include "testbench/page/process.h"
+#include "testbench/mutation/elaboration.h"
 #include "testbench/text_file.h"
 
 namespace feline::mutation {
 namespace {
 
 constexpr std::size_t kMostRegisters = 6;
+constexpr std::string_view kSolverPackage = "cadical";
 
 bool says(const std::string& text, std::string_view words) { return text.find(words) != std::string::npos; }
 
-// What abc says; it looks at its own limit of time in places only. Throws std::runtime_error when it fails otherwise.
+// What abc says in so many seconds. Throws std::runtime_error when it fails otherwise.
 std::string ask_abc(const std::string& commands) {
-  constexpr int kPatience = 20;    // seconds
-  constexpr int kOutOfTime = 124;  // of timeout
-  const std::vector<std::string> command{"timeout", std::to_string(kPatience), "yosys-abc", "-q", commands};
-  const page::Finished finished = page::run_process(command, "");
+  constexpr int kPatience = 20;
+  const page::Finished finished = run_abc(commands, kMutantsNeedIt, kPatience);
   if (finished.code != 0 && finished.code != kOutOfTime) {
     throw std::runtime_error(
         fmt::format("yosys-abc: exit code {}\n{}{}", finished.code, finished.output, finished.errors));
@@ -52,15 +52,31 @@ bool unobserved(const Aiger& right, const Aiger& wrong) {
               "Property proved");
 }
 
+std::optional<bool> satisfiable(const Aiger& aiger) {
+  constexpr int kPatience = 100;  // seconds
+  constexpr int kSatisfiable = 10;
+  constexpr int kUnsatisfiable = 20;
+  const std::filesystem::path work = std::filesystem::temp_directory_path();
+  const AtomicFile file(work / "feline-formula.aig");
+  const AtomicFile clauses(work / "feline-formula.cnf");
+  write_text(file.temporary(), to_binary(aiger));
+  ask_abc(fmt::format("read_aiger {}; strash; write_cnf {}", file.temporary().string(), clauses.temporary().string()));
+  const page::Finished finished =
+      run_tool({"cadical", "-q", "-n", "-t", std::to_string(kPatience), clauses.temporary().string()}, kSolverPackage,
+               kMutantsNeedIt);
+  if (finished.code == kUnsatisfiable) return false;
+  if (finished.code == kSatisfiable) return true;
+  if (finished.code == 0) return std::nullopt;
+  throw std::runtime_error(fmt::format("cadical: exit code {}\n{}{}", finished.code, finished.output, finished.errors));
+}
+
+std::string solver_version() { return run_tool({"cadical", "--version"}, kSolverPackage, kMutantsNeedIt).output; }
+
 std::optional<bool> flows_otherwise(const Aiger& right, const Aiger& wrong) {
+  if (!moves_by_itself(wrong)) return std::nullopt;
   const Aiger flow = steady_flow(right, kMostRegisters + 1);
   if (!comes_out(flow)) throw std::runtime_error("a stage of more registers than a pipeline may have");
-  const AtomicFile file(std::filesystem::temp_directory_path() / "feline-flow.aig");
-  write_text(file.temporary(), to_binary(difference(flow, steady_flow(wrong, kMostRegisters + 1))));
-  const std::string said = ask_abc(fmt::format("read_aiger {}; strash; dc2; fraig; iprove", file.temporary().string()));
-  if (says(said, "UNSATISFIABLE")) return false;
-  if (says(said, "SATISFIABLE")) return true;
-  return std::nullopt;
+  return satisfiable(difference(flow, steady_flow(wrong, kMostRegisters + 1)));
 }
 
 }  // namespace feline::mutation

@@ -2,19 +2,28 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "testbench/mutation/aiger.h"
 
-// What abc says of a circuit with a mutant in 20 seconds. Each throws std::runtime_error when it fails.
+// What solvers say of a circuit with a mutant. Each throws InputError when a tool is not there, std::runtime_error when
+// it fails.
 namespace feline::mutation {
 
-// Whether all logic is proved the same, registers cut open.
+// Whether all logic is proved the same by abc in 20 seconds, registers cut open.
 bool same_logic(const Aiger& right, const Aiger& wrong);
 
-// Whether it is proved that nobody sees a difference (observed_difference).
+// Whether it is proved by abc in 20 seconds that nobody sees a difference (observed_difference).
 bool unobserved(const Aiger& right, const Aiger& wrong);
 
-// Whether any legal beat comes out of a pipeline otherwise (steady_flow); nothing when it is not decided.
+// Whether the only output of a circuit without state is 1 for any input, says CaDiCaL in 100 seconds; nothing when it
+// does not decide.
+std::optional<bool> satisfiable(const Aiger& aiger);
+
+// Whether any legal beat comes out of a pipeline otherwise (steady_flow); nothing when it is not decided, or when beats
+// do not move by themselves.
 std::optional<bool> flows_otherwise(const Aiger& right, const Aiger& wrong);
+
+std::string solver_version();
 
 }  // namespace feline::mutation

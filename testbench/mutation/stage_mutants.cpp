@@ -16,6 +16,8 @@
 namespace feline::mutation {
 namespace {
 
+constexpr std::string_view kStreamRegister = "/feline_stream_register.sv";
+
 // What a site is called; those that would be called alike are numbered.
 std::vector<std::string> site_labels(const std::vector<Site>& sites) {
   std::map<std::string, int> used;
@@ -54,6 +56,17 @@ void add_rules(nlohmann::ordered_json& module, const std::string& stage, const s
   module["ports"]["legal_o"] = {{"direction", "output"}, {"bits", {kLegal}}};
 }
 
+// A pipeline keeps nothing but what its streams hold, or a beat would not tell what comes of it.
+void check_state(const std::vector<Site>& sites) {
+  for (const Site& site : sites) {
+    const bool keeps = site.type.find("dff") != std::string::npos || site.type.find("dlatch") != std::string::npos ||
+                       site.type.starts_with("$mem");
+    if (keeps && site.source.find(kStreamRegister) == std::string::npos) {
+      throw std::runtime_error(fmt::format("{}: a pipeline with state of its own: {}", site.source, site.type));
+    }
+  }
+}
+
 }  // namespace
 
 StageMutants::StageMutants(std::string stage, const std::filesystem::path& source,
@@ -72,6 +85,7 @@ StageMutants::StageMutants(std::string stage, const std::filesystem::path& sourc
   InstrumentedStage instrumented = instrument(elaboration_.netlist, top, nullptr, false);
   sites_ = std::move(instrumented.sites);
   labels_ = site_labels(sites_);
+  if (is_pipeline(*this)) check_state(sites_);
   text_ = to_verilog(instrumented.netlist, top, directory_);
   write_roms(instrumented.roms);
 }
@@ -135,7 +149,7 @@ bool StageMutants::has(std::string_view description) const {
 
 bool StageMutants::in_stream(const Mutant& mutant) const {
   const std::string& place = mutant.kind == Kind::kRomBit ? std::string() : sites_[mutant.site - 1].source;
-  return place.find("/rtl/") == std::string::npos || place.find("/feline_stream_register.sv") != std::string::npos;
+  return place.find("/rtl/") == std::string::npos || place.find(kStreamRegister) != std::string::npos;
 }
 
 std::string StageMutants::logic(const std::vector<Mutant>& mutants) const {

@@ -11,6 +11,8 @@
 
 #include "testbench/area/yosys.h"
 #include "testbench/error.h"
+#include "testbench/mutation/elaboration.h"
+#include "testbench/mutation/sat.h"
 #include "testbench/page/process.h"
 
 namespace feline::mutation {
@@ -21,8 +23,10 @@ struct Part {
   std::string_view room;
   std::string_view begin{};
 };
-constexpr std::array kTrials{Part{"rtl"},
+constexpr std::array kTrials{Part{"", "CMakeLists.txt"},
+                             Part{"rtl"},
                              Part{"model"},
+                             Part{"model/reference"},
                              Part{"tables"},
                              Part{"tables/generated"},
                              Part{"testbench"},
@@ -34,11 +38,14 @@ constexpr std::array kTrials{Part{"rtl"},
                              Part{"testbench/mutation", "mutation.cmake"},
                              Part{"testbench/mutation", "trial"},
                              Part{"testbench/prove"},
+                             Part{"testbench/stability"},
                              Part{"tests/model"},
                              Part{"tests/support"}};
 constexpr std::array kProofs{Part{"rtl"},
+                             Part{"model"},
                              Part{"tables"},
                              Part{"tables/generated"},
+                             Part{"testbench"},
                              Part{"testbench/mutation"},
                              Part{"testbench/mutation/rules"},
                              Part{"testbench/prove"},
@@ -67,14 +74,20 @@ const std::filesystem::path& checked(const std::filesystem::path& source) {
   return source;
 }
 
+const std::filesystem::path& ready(const std::filesystem::path& directory) {
+  std::filesystem::create_directories(directory);
+  return directory;
+}
+
 }  // namespace
 
 Workshop::Workshop(const std::filesystem::path& of_source, const std::filesystem::path& of_directory)
     : source(checked(of_source)),
       directory(of_directory),
+      lock(ready(directory) / "lock"),
       cache(Cache::of_parts(directory / "cache")),
-      trials(hash_of(source, kTrials)),
-      proofs(yosys_version("mutants need it") + hash_of(source, kProofs)) {}
+      trials(run_tool({"verilator", "--version"}, "verilator", kMutantsNeedIt).output + hash_of(source, kTrials)),
+      proofs(yosys_version(kMutantsNeedIt) + solver_version() + hash_of(source, kProofs)) {}
 
 std::string run_program(const std::vector<std::string>& command, const std::string& input) {
   const page::Finished finished = page::run_process(command, input);

@@ -6,17 +6,20 @@
 #include <vector>
 
 #include "testbench/measure/cache.h"
+#include "testbench/run_lock.h"
 
 namespace feline::mutation {
 
 // Where mutants are built, and what is known from before. Its results follow from the sources, whatever build of this
 // program makes them.
 struct Workshop {
-  // Throws InputError naming `--source` for other sources than this project's, or when Yosys is not there.
+  // Throws InputError naming `--source` for other sources than this project's, when a tool is not there, or while
+  // another run has the directory.
   Workshop(const std::filesystem::path& source, const std::filesystem::path& directory);
 
   std::filesystem::path source;     // of the project
   std::filesystem::path directory;  // of all stages
+  RunLock lock;
   Cache cache;
   std::string trials;  // a hash of what the programs that try mutants are built from
   std::string proofs;  // and of what proves them the same, or finds them on leaves

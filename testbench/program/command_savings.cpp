@@ -3,10 +3,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <exception>
 #include <limits>
 #include <memory>
-#include <mutex>
 #include <optional>
 
 #include "testbench/area/synthesis.h"
@@ -100,19 +98,11 @@ void synthesize(std::vector<Savings>& all, const Synthesis& synthesis, const std
   std::vector<StageArea> areas(sources.size());
   Progress progress("synthesizing", sources.size());
   progress.show();
-  std::mutex mutex;
-  std::exception_ptr failure;
   for_each_index(0, static_cast<std::int64_t>(sources.size()), [&](std::int64_t number) {
     const auto i = static_cast<std::size_t>(number);
-    try {
-      areas[i] = synthesis.report(synthesis.unit(sources[i])).total();
-      progress.advance(1);
-    } catch (...) {
-      const std::scoped_lock lock(mutex);
-      failure = std::current_exception();
-    }
+    areas[i] = synthesis.report(synthesis.unit(sources[i])).total();
+    progress.advance(1);
   });
-  if (failure) std::rethrow_exception(failure);
   for (std::size_t i = 0; i < all.size(); ++i) {
     all[i].full = areas[0];
     all[i].pruned = areas[i + 1];

@@ -2,7 +2,6 @@
 #include "testbench/prove/journal.h"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -54,13 +53,9 @@ std::optional<Journal::Entry> entry_from(const std::string& line) {
 
 Journal::Journal(const std::filesystem::path& file, const std::string& program,
                  const std::function<void(const Entry&)>& done)
-    : path_(file) {
+    : path_(file), lock_(file) {
   file_ = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (file_ < 0) fail(path_, "open");
-  if (::flock(file_, LOCK_EX | LOCK_NB) != 0) {
-    ::close(file_);
-    bad_input(path_.string(), "lock", "a run that is still going on", "one run at a time in a directory");
-  }
   const std::string head = Json{{"program", program}}.dump();
   std::uintmax_t kept = 0;
   std::ifstream in(file, std::ios::binary);

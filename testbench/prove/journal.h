@@ -7,6 +7,7 @@
 #include <string>
 
 #include "testbench/prove/chunk.h"
+#include "testbench/run_lock.h"
 
 namespace feline::prove {
 
@@ -35,6 +36,7 @@ class Journal {
   void write_line(const std::string& line);
 
   std::filesystem::path path_;
+  RunLock lock_;
   int file_ = -1;
 };
 

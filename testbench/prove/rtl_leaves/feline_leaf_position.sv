@@ -9,6 +9,8 @@ module feline_leaf_position #(
   input  wire logic [InputWidth-1:0] inputs_i,
   output logic [OutputWidth-1:0]     outputs_o
 );
+  localparam int unsigned ExponentBits = 8;  // of IEEE 754 binary32, as feline_group gives it
+
   logic [feline_pkg::WrapWidth-1:0]     wrap;
   logic [feline_pkg::Float32Width-1:0]  bits;
   logic [feline_pkg::PositionWidth-1:0] position;
@@ -22,7 +24,7 @@ module feline_leaf_position #(
   logic [feline_pkg::WrapWidth-1:0] supported;
 
   feline_supported_wrap u_supported_wrap (.wrap_i(wrap), .wrap_o(supported));
-  feline_float_to_position u_position (
+  feline_float_to_position #(.ExponentBits(ExponentBits)) u_position (
     .bits_i(bits), .wrap_i(supported), .position_o(position), .finite_o(finite), .overflow_o(overflow), .early_o(early)
   );
 endmodule

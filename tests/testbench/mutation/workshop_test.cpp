@@ -28,17 +28,31 @@ TEST(workshop_long, results_follow_from_what_tries_and_what_proves) {
                           std::filesystem::copy_options::recursive);
   }
   const auto touched = [&](const std::string& file) {
-    const Workshop before(copy, directory / "work");
+    const auto hashes = [&] {
+      const Workshop workshop(copy, directory / "work");
+      return std::pair(workshop.trials, workshop.proofs);
+    };
+    const auto before = hashes();
     std::ofstream(copy / file, std::ios::app) << "\n";
-    const Workshop after(copy, directory / "work");
-    return std::pair(before.trials != after.trials, before.proofs != after.proofs);
+    const auto after = hashes();
+    return std::pair(before.first != after.first, before.second != after.second);
   };
   EXPECT_EQ(touched("rtl/feline_walk.sv"), std::pair(true, true));
+  EXPECT_EQ(touched("model/sampler.h"), std::pair(true, true));
+  EXPECT_EQ(touched("testbench/random.h"), std::pair(true, true));
+  EXPECT_EQ(touched("model/reference/lookup.h"), std::pair(true, false));
   EXPECT_EQ(touched("testbench/cosim/scoreboard.cpp"), std::pair(true, false));
   EXPECT_EQ(touched("testbench/mutation/trial.cpp"), std::pair(true, true));
   EXPECT_EQ(touched("testbench/mutation/rules/feline_rules_plan.sv"), std::pair(false, true));
   EXPECT_EQ(touched("testbench/mutation/survivors.json"), std::pair(false, false));
   EXPECT_EQ(touched("testbench/program/command_mutate.cpp"), std::pair(false, false));
+}
+
+TEST(workshop_long, one_run_at_a_time) {
+  const TempDir directory;
+  const Workshop workshop(FELINE_SOURCE_DIR, directory / "work");
+  const std::string message = input_error([&] { const Workshop other(FELINE_SOURCE_DIR, directory / "work"); });
+  EXPECT_NE(message.find("a run that is still going on"), std::string::npos) << message;
 }
 
 TEST(workshop, a_program_that_fails_is_told) {
