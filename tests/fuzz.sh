@@ -26,7 +26,8 @@ while (($# > 0)); do
   case $1 in
     --seconds | --seed)
       [[ ${2:-} =~ ^[0-9]+$ ]] || { echo "error: $1: got ${2:-nothing}, legal is a whole number" >&2; exit 2; }
-      if [[ $1 == --seed ]]; then seed=$2; else seconds=$2; fi
+      # Not octal, however many zeros it begins with.
+      if [[ $1 == --seed ]]; then seed=$((10#$2)); else seconds=$((10#$2)); fi
       # 0 is a seed of libFuzzer's own choice.
       ((seed > 0)) || { echo "error: --seed: got 0, legal is 1 or more" >&2; exit 2; }
       shift

@@ -173,7 +173,13 @@ CloseBatches::CloseBatches(std::uint64_t seed, std::uint64_t lookups) : batches_
 
 Batch CloseBatches::operator[](std::size_t i) const {
   const Close& close = batches_[i];
-  return {close.sampler, &close.memory, close.lookups, i * close.lookups.size(), false, {}};
+  // Half of them wait for each other behind a pixel that is not taken, for as many cycles as may be.
+  std::optional<Conditions> conditions;
+  if (i / 2 % 2 != 0) {
+    conditions.emplace().memory_latency = 1;
+    conditions->at(Port::kPixel) = {0.2, 40};
+  }
+  return {close.sampler, &close.memory, close.lookups, i * close.lookups.size(), false, conditions};
 }
 
 std::int64_t CloseBatches::distance(std::size_t i, std::size_t channel) const {

@@ -32,7 +32,7 @@ float any_class(SplitMix64& random) {
 
 float signed_unit(SplitMix64& random) { return static_cast<float>(2 * random.unit() - 1); }
 
-// 2^k, k uniform in low .. high.
+// 2^k and up to twice as much, k uniform in low .. high - 1.
 float octave(SplitMix64& random, int low, int high) {
   return std::ldexp(1.0F + static_cast<float>(random.unit()),
                     low + static_cast<int>(random.below(static_cast<std::uint32_t>(high - low))));

@@ -250,8 +250,7 @@ LookupBins::LookupBins() {
                       BinGrid::Axis{"texels", kSizeClasses});
   grids_.emplace_back("place", "Where probes are along each axis, in textures.", BinGrid::Axis{"", wrap_axes()},
                       BinGrid::Axis{"", words({"below -1", "-1 to 0", "0 to 1", "1 to 2", "above 2"})});
-  auto sides = words({"fine: none"});
-  sides.clear();
+  std::vector<std::string> sides;
   for (const char* level : {"fine ", "coarse "}) {
     for (const std::string& outside : kOutside) sides.push_back(level + outside);
   }

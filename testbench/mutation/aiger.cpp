@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <unordered_map>
 
+#include "testbench/mutation/copy_gates.h"
 #include "testbench/text_number.h"
 
 namespace feline::mutation {
@@ -142,15 +142,6 @@ std::string to_binary(const Aiger& aiger) {
 
 namespace {
 
-// Gives each variable's literal in another circuit, whose gates `add` makes. What `from` has for variables up to its
-// last latch is given.
-template <typename Add>
-std::vector<std::uint32_t> copy_gates(const Aiger& from, std::vector<std::uint32_t> variables, const Add& add) {
-  const auto moved = [&](std::uint32_t literal) { return variables[literal / 2] ^ (literal & 1); };
-  for (const Aiger::Gate& gate : from.gates) variables.push_back(add(moved(gate.left), moved(gate.right)));
-  return variables;
-}
-
 std::vector<std::uint32_t> copy_gates(const Aiger& from, std::vector<std::uint32_t> variables, Aiger& to) {
   return copy_gates(from, std::move(variables),
                     [&](std::uint32_t left, std::uint32_t right) { return to.add_gate(left, right); });
@@ -184,6 +175,8 @@ Aiger with_input(const Aiger& aiger, std::string_view name, std::uint64_t value,
   return fixed;
 }
 
+std::string port_of(const std::string& bit) { return bit.substr(0, bit.find('[')); }
+
 Aiger cut_latches(const Aiger& aiger) {
   Aiger cut{aiger.inputs, {}, aiger.gates, aiger.outputs};
   cut.inputs.resize(cut.inputs.size() + aiger.next.size());
@@ -192,8 +185,6 @@ Aiger cut_latches(const Aiger& aiger) {
 }
 
 namespace {
-
-std::string base_of(const std::string& name) { return name.substr(0, name.find('[')); }
 
 // Finds literals of ports by their names.
 class Ports {
@@ -217,7 +208,7 @@ class Ports {
 // When an output is looked at, as a literal of the one that it is an output of.
 std::uint32_t looked_at(const Ports& ports, const std::string& name, bool& of_input) {
   constexpr std::string_view kReady = "_ready_o";
-  std::string base = base_of(name);
+  std::string base = port_of(name);
   of_input = false;
   // A register has one stream in and one out, without names.
   if (base == "valid_o" || base.ends_with("_valid_o") || base == "busy_o" || base == "flush_o") return 1;
@@ -257,14 +248,9 @@ Both joined(const Aiger& right, const Aiger& wrong, const std::vector<bool>& are
     of_right.push_back(2 * (both.aiger.first_latch() + i));
     of_wrong.push_back(are_same[i] ? of_right.back() : of_right.back() + 2 * latches);
   }
-  std::unordered_map<std::uint64_t, std::uint32_t> known;
-  const auto add = [&](std::uint32_t left, std::uint32_t right) {
-    const auto [place, is_new] = known.emplace(std::uint64_t{std::max(left, right)} << 32 | std::min(left, right), 0);
-    if (is_new) place->second = both.aiger.add_gate(left, right);
-    return place->second;
-  };
-  both.rights = copy_gates(right, std::move(of_right), add);
-  both.wrongs = copy_gates(wrong, std::move(of_wrong), add);
+  GateMaker maker(both.aiger);
+  both.rights = copy_gates(right, std::move(of_right), maker);
+  both.wrongs = copy_gates(wrong, std::move(of_wrong), maker);
   return both;
 }
 
@@ -312,84 +298,6 @@ Aiger observed_difference(const Aiger& right, const Aiger& wrong) {
   miter.next[2 * latches] = so_far ^ 1;
   miter.outputs.push_back({miter.add_gate(so_far, differs), "differs"});
   return std::move(miter);
-}
-
-bool moves_by_itself(const Aiger& aiger) {
-  std::vector<bool> is_seen(aiger.first_gate() + aiger.gates.size());
-  std::vector<std::uint32_t> open;
-  const auto look_at = [&](std::uint32_t literal) {
-    if (is_seen[literal / 2]) return;
-    is_seen[literal / 2] = true;
-    open.push_back(literal / 2);
-  };
-  for (const Aiger::Output& output : aiger.outputs) {
-    if (output.name.ends_with("_valid_o") || output.name.ends_with("_ready_o")) look_at(output.literal);
-  }
-  while (!open.empty()) {
-    const std::uint32_t variable = open.back();
-    open.pop_back();
-    if (variable >= aiger.first_gate()) {
-      const Aiger::Gate& gate = aiger.gates[variable - aiger.first_gate()];
-      look_at(gate.left);
-      look_at(gate.right);
-    } else if (variable >= aiger.first_latch()) {
-      look_at(aiger.next[variable - aiger.first_latch()]);
-    } else if (variable > 0) {
-      const std::string& name = aiger.inputs[variable - 1];
-      if (name != "rst_i" && !name.ends_with("_valid_i") && !name.ends_with("_ready_i")) return false;
-    }
-  }
-  return true;
-}
-
-Aiger steady_flow(const Aiger& aiger, std::size_t cycles) {
-  Aiger flow{aiger.inputs, {}, {}, {}};
-  std::vector<std::uint32_t> given{0};
-  for (std::uint32_t i = 0; i < aiger.inputs.size(); ++i) {
-    const std::string base = base_of(aiger.inputs[i]);
-    const bool flows = base.ends_with("_valid_i") || base.ends_with("_ready_i");
-    given.push_back(base == "rst_i" ? 0 : flows ? 1 : 2 * (i + 1));
-  }
-  std::vector<std::uint32_t> state(aiger.next.size(), 0);
-  std::vector<std::uint32_t> variables;
-  const auto moved = [&](std::uint32_t literal) { return variables[literal / 2] ^ (literal & 1); };
-  for (std::size_t cycle = 0; cycle < cycles; ++cycle) {
-    variables = given;
-    variables.insert(variables.end(), state.begin(), state.end());
-    variables = copy_gates(aiger, std::move(variables), flow);
-    for (std::size_t i = 0; i < state.size(); ++i) state[i] = moved(aiger.next[i]);
-  }
-  std::uint32_t legal = 1;
-  for (const Aiger::Output& output : aiger.outputs) {
-    if (output.name == "legal_o") legal = moved(output.literal);
-  }
-  for (const Aiger::Output& output : aiger.outputs) {
-    flow.outputs.push_back({flow.add_gate(legal, moved(output.literal)), output.name});
-  }
-  return flow;
-}
-
-bool comes_out(const Aiger& flow) {
-  const Aiger::Output* const legal = Ports(flow).output("legal_o");
-  const std::uint32_t when = legal == nullptr ? 1 : legal->literal;
-  return when != 0 && std::ranges::all_of(flow.outputs, [&](const Aiger::Output& output) {
-           return !output.name.ends_with("_valid_o") || output.literal == when;
-         });
-}
-
-Aiger difference(const Aiger& right, const Aiger& wrong) {
-  Aiger miter{right.inputs, {}, {}, {}};
-  const std::vector<std::uint32_t> rights = copy_gates(right, own_variables(right), miter);
-  const std::vector<std::uint32_t> wrongs = copy_gates(wrong, own_variables(wrong), miter);
-  std::uint32_t same = 1;
-  for (std::size_t i = 0; i < right.outputs.size(); ++i) {
-    const std::uint32_t a = rights[right.outputs[i].literal / 2] ^ (right.outputs[i].literal & 1);
-    const std::uint32_t b = wrongs[wrong.outputs[i].literal / 2] ^ (wrong.outputs[i].literal & 1);
-    same = miter.add_gate(same, miter.add_gate(a, b ^ 1) ^ 1);
-    same = miter.add_gate(same, miter.add_gate(a ^ 1, b) ^ 1);
-  }
-  miter.outputs.push_back({same ^ 1, "differs"});
-  return miter;
 }
 
 }  // namespace feline::mutation

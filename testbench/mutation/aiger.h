@@ -48,18 +48,7 @@ Aiger cut_latches(const Aiger& aiger);
 // same inputs, latches and outputs. Throws std::runtime_error for an output without a valid.
 Aiger observed_difference(const Aiger& right, const Aiger& wrong);
 
-// Whether what moves a pipeline's beats, all X_valid_o and X_ready_o, follows from nothing but X_valid_i, X_ready_i and
-// rst_i, now and before: no beat's data has a part in it.
-bool moves_by_itself(const Aiger& aiger);
-
-// Without state: what leaves a pipeline after so many cycles of the same beat, all valid and ready, and no reset; zeros
-// where that is not legal (legal_o). To be compared are pipelines without other state than that of their streams.
-Aiger steady_flow(const Aiger& aiger, std::size_t cycles);
-// Whether every output X_valid_o of a steady flow is 1, whatever the beat, if it is legal: the pipeline is not longer.
-bool comes_out(const Aiger& flow);
-
-// Whether an output ever differs between two circuits without state, of the same inputs and outputs: an output that is
-// 1 when it does.
-Aiger difference(const Aiger& right, const Aiger& wrong);
+// The port of a bit: "data_i" of "data_i[3]".
+std::string port_of(const std::string& bit);
 
 }  // namespace feline::mutation

@@ -24,7 +24,7 @@ struct Fate {
   // all that can come in; or nobody who keeps to the streams' rules sees a difference (observed_difference), the
   // registers of either beginning with 0.
   enum class Logic : std::uint8_t { kUnknown, kSame, kUnobserved } logic = Logic::kUnknown;
-  bool differs = false;  // some legal beat comes out otherwise, says SAT, but nothing that was tried
+  std::string differs{};  // a legal beat that comes out otherwise, says SAT, but none that was tried did
   bool proved() const { return logic != Logic::kUnknown; }
 };
 

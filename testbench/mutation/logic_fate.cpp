@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "testbench/mutation/fate.h"
@@ -13,17 +15,48 @@
 namespace feline::mutation {
 namespace {
 
-// What a proof comes to, as the cache has it.
-enum class Verdict : char { kUnknown = '0', kProved = '1', kDiffers = 'd' };
+// What a proof comes to.
+struct Verdict {
+  bool proved = false;
+  std::string beat{};  // that comes out otherwise
+};
+
+// "plan_i 0x1f, sampler_i 0x0": ports of more bits than one.
+std::string beat_text(const Aiger& aiger, const std::vector<bool>& inputs) {
+  std::map<std::string, std::vector<bool>> ports;
+  for (std::size_t i = 0; i < aiger.inputs.size(); ++i) {
+    const std::string& name = aiger.inputs[i];
+    const std::size_t bracket = name.find('[');
+    if (bracket == std::string::npos || name.starts_with("mutant[")) continue;
+    std::vector<bool>& bits = ports[name.substr(0, bracket)];
+    const std::size_t bit = std::stoul(name.substr(bracket + 1));
+    bits.resize(std::max(bits.size(), bit + 1));
+    bits[bit] = inputs[i];
+  }
+  std::string text;
+  for (const auto& [port, bits] : ports) {
+    text += fmt::format("{}{} 0x", text.empty() ? "" : ", ", port);
+    for (std::size_t digit = (bits.size() + 3) / 4; digit-- > 0;) {
+      unsigned value = 0;
+      for (std::size_t bit = 4; bit-- > 0;) {
+        const std::size_t place = 4 * digit + bit;
+        value = 2 * value + (place < bits.size() && bits[place] ? 1U : 0U);
+      }
+      text += fmt::format("{:x}", value);
+    }
+  }
+  return text;
+}
 
 Verdict whether_observed(const StageMutants& stage, const Mutant& mutant, const Aiger& right, const Aiger& wrong) {
   if (is_pipeline(stage) && !stage.in_stream(mutant)) {
     // What SAT does not decide of one beat it does not decide of all cycles.
-    const auto otherwise = flows_otherwise(right, wrong);
-    if (!otherwise) return Verdict::kUnknown;
-    return *otherwise ? Verdict::kDiffers : Verdict::kProved;
+    const Satisfied otherwise = flows_otherwise(right, wrong);
+    if (otherwise.answer == Satisfied::Answer::kNever) return {true};
+    if (otherwise.answer == Satisfied::Answer::kSometimes) return {false, beat_text(right, otherwise.inputs)};
+    return {};
   }
-  return unobserved(right, wrong) ? Verdict::kProved : Verdict::kUnknown;
+  return {unobserved(right, wrong)};
 }
 
 }  // namespace
@@ -41,36 +74,32 @@ void compare_logic(const StageMutants& stage, Fate::Logic wanted, const Workshop
   constexpr std::size_t kTogether = 50;  // what is lost when it is stopped
   std::optional<Aiger> logic;
   std::optional<Aiger> right;
-  std::string known;
   Progress progress(fmt::format("{}: {}", stage.stage(), same ? "the same logic" : "a difference nobody sees"),
                     open.size());
   for (std::size_t first = 0; first < open.size(); first += kTogether) {
     const auto part = std::span(open).subspan(first, std::min(kTogether, open.size() - first));
     const std::string key =
         workshop.cache.key({same ? "same logic" : "observed", workshop.proofs, stage.text(), codes_of(part)});
-    std::string verdicts = workshop.cache.read(key).value_or("");
+    nlohmann::json verdicts = nlohmann::json::parse(workshop.cache.read(key).value_or("[]"));
     if (verdicts.size() != part.size()) {
       if (!logic) logic = read_aiger(stage.logic(mutants));
       if (!right) right = with_input(*logic, "mutant", 0);
-      verdicts.assign(part.size(), static_cast<char>(Verdict::kUnknown));
+      std::vector<Verdict> found(part.size());
       for_each_index(0, static_cast<std::int64_t>(part.size()), [&](std::int64_t i) {
         const auto place = static_cast<std::size_t>(i);
         const Mutant& mutant = part[place]->mutant;
         const Aiger wrong = with_input(*logic, "mutant", code(mutant));
-        const Verdict verdict = !same                       ? whether_observed(stage, mutant, *right, wrong)
-                                : same_logic(*right, wrong) ? Verdict::kProved
-                                                            : Verdict::kUnknown;
-        verdicts[place] = static_cast<char>(verdict);
+        found[place] = same ? Verdict{same_logic(*right, wrong)} : whether_observed(stage, mutant, *right, wrong);
       });
-      workshop.cache.write(key, verdicts);
+      verdicts = nlohmann::json::array();
+      for (const Verdict& verdict : found) verdicts.push_back({{"proved", verdict.proved}, {"beat", verdict.beat}});
+      workshop.cache.write(key, verdicts.dump());
     }
     progress.advance(part.size());
-    known += verdicts;
-  }
-  for (std::size_t i = 0; i < open.size(); ++i) {
-    const auto verdict = static_cast<Verdict>(known[i]);
-    if (verdict == Verdict::kProved) open[i]->logic = wanted;
-    if (verdict == Verdict::kDiffers) open[i]->differs = true;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      if (verdicts[i]["proved"]) part[i]->logic = wanted;
+      if (!same) part[i]->differs = verdicts[i]["beat"];
+    }
   }
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // feline_mutated_model: tries every mutant of the model. Built by testbench/mutation/build.sh from the sources that
 // `feline mutate --model` made. Given are the first site and one beyond the last. Each mutant is tried in a process of
-// its own, as it may crash or not end; of each a line of JSON on standard output, in any order.
+// its own, as it may crash or not end; of each a line of JSON on standard output, in any order. One that the model
+// without it never gets to is not tried: its line says so.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/mman.h>
@@ -32,7 +33,14 @@ constexpr std::array kTierNames{"smoke", "leaves", "unit", "tests"};
 // longest and find no more.
 constexpr const char* kUnitTests = "unit.*:fetch.*:filter.*:accumulate.*:sampler.*";
 constexpr const char* kAllTests = "-*_long.*:invariants.*";
-constexpr rlim_t kPatience = 120;  // seconds of a processor
+constexpr rlim_t kMostMemory = rlim_t{4} << 30;  // bytes
+// Seconds of a processor: a mutant may take so many times what the model takes without one, and some more.
+constexpr rlim_t kTimes = 20;
+constexpr rlim_t kMore = 10;
+constexpr rlim_t kNoLimit = 3600;
+// Exit codes of a trial.
+constexpr int kFound = 1;
+constexpr int kNotTried = 3;
 
 // What a process that tries a mutant leaves behind.
 struct Trace {
@@ -87,14 +95,14 @@ struct Trials {
 // In the child: 0 for a survivor.
 int try_mutant(const Trials& trials, Trace& trace) {
   trace.tier = kSmoke;
-  if (!holds(trials.smoke, trace)) return 1;
+  if (!holds(trials.smoke, trace)) return kFound;
   trace.tier = kLeaves;
-  if (!holds(trials.leaves, trace)) return 1;
+  if (!holds(trials.leaves, trace)) return kFound;
   std::strcpy(trace.name, "");
   for (const auto& [tier, filter] : {std::pair{kUnit, kUnitTests}, {kTests, kAllTests}}) {
     trace.tier = tier;
     testing::GTEST_FLAG(filter) = filter;
-    if (RUN_ALL_TESTS() != 0) return 1;
+    if (RUN_ALL_TESTS() != 0) return kFound;
   }
   trace.tier = kSurvived;
   return 0;
@@ -107,33 +115,51 @@ T* shared(std::size_t count) {
   return static_cast<T*>(memory);
 }
 
-pid_t start(const Trials& trials, std::uint32_t mutant, Trace& trace) {
+pid_t start(const Trials& trials, std::uint32_t mutant, rlim_t patience, Trace& trace) {
   trace = {};
   std::fflush(nullptr);
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("no process more");
   if (child > 0) return child;
   mutation::current_model_mutant = mutant;
-  const rlimit patience{kPatience, kPatience + 5};
-  setrlimit(RLIMIT_CPU, &patience);
-  if (std::freopen("/dev/null", "w", stdout) == nullptr || std::freopen("/dev/null", "w", stderr) == nullptr) _exit(3);
-  int code = 1;
+  const rlimit time{patience, patience + 5};
+  const rlimit memory{kMostMemory, kMostMemory};
+  if (setrlimit(RLIMIT_CPU, &time) != 0 || setrlimit(RLIMIT_AS, &memory) != 0 ||
+      std::freopen("/dev/null", "w", stdout) == nullptr || std::freopen("/dev/null", "w", stderr) == nullptr) {
+    _exit(kNotTried);
+  }
+  int code = kFound;
   try {
     code = try_mutant(trials, trace);
   } catch (...) {
-    code = 1;
+    code = kFound;
   }
   _exit(code);
 }
 
+// How a trial ended that found a mutant. Throws std::runtime_error for an end that says nothing of it.
 std::string_view way(int status) {
-  if (!WIFSIGNALED(status)) return "mismatch";
-  return WTERMSIG(status) == SIGXCPU ? "no end" : "crash";
+  if (WIFEXITED(status) && WEXITSTATUS(status) == kFound) return "mismatch";
+  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  if (signal == SIGXCPU) return "no end";
+  for (const int crash : {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL}) {
+    if (signal == crash) return "crash";
+  }
+  throw std::runtime_error(signal != 0 ? fmt::format("a trial was ended by signal {}", signal)
+                                       : fmt::format("a trial ended with exit code {}", WEXITSTATUS(status)));
+}
+
+// Seconds of a processor that the children took so far.
+rlim_t seconds_of_children() {
+  rusage usage{};
+  getrusage(RUSAGE_CHILDREN, &usage);
+  return static_cast<rlim_t>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec);
 }
 
 class Campaign {
  public:
-  explicit Campaign(const Trials& trials) : trials_(trials), traces_(shared<Trace>(workers())) {
+  Campaign(const Trials& trials, rlim_t patience)
+      : trials_(trials), patience_(patience), traces_(shared<Trace>(workers())) {
     for (std::size_t i = 0; i < workers(); ++i) free_.push_back(i);
   }
 
@@ -142,7 +168,7 @@ class Campaign {
       if (free_.empty()) finish_one();
       const std::size_t place = free_.back();
       free_.pop_back();
-      running_[start(trials_, mutant, traces_[place])] = {mutant, place, std::chrono::steady_clock::now()};
+      running_[start(trials_, mutant, patience_, traces_[place])] = {mutant, place, std::chrono::steady_clock::now()};
     }
     while (!running_.empty()) finish_one();
   }
@@ -176,6 +202,7 @@ class Campaign {
   }
 
   const Trials& trials_;
+  rlim_t patience_;
   Trace* traces_;
   std::vector<std::size_t> free_;
   std::map<pid_t, Running> running_;
@@ -187,7 +214,7 @@ int run(std::uint32_t first, std::uint32_t end) {
   mutation::reached_alternatives = shared<std::uint8_t>(mutation::kMostModelSites);
   Trace& trace = *shared<Trace>(1);
   int status = 0;
-  waitpid(start(trials, mutation::kNoModelMutant, trace), &status, 0);
+  waitpid(start(trials, mutation::kNoModelMutant, kNoLimit, trace), &status, 0);
   if (status != 0) {
     throw std::runtime_error(fmt::format("the model without a mutant fails: {} {}, {}",
                                          kTierNames[static_cast<std::size_t>(trace.tier)], trace.name, way(status)));
@@ -195,10 +222,14 @@ int run(std::uint32_t first, std::uint32_t end) {
   std::vector<std::uint32_t> mutants;
   for (std::uint32_t code = first * mutation::kAlternatives; code < end * mutation::kAlternatives; ++code) {
     const unsigned asked = mutation::reached_alternatives[code / mutation::kAlternatives];
-    if ((asked >> code % mutation::kAlternatives & 1U) != 0) mutants.push_back(code);
+    if ((asked >> code % mutation::kAlternatives & 1U) != 0) {
+      mutants.push_back(code);
+    } else if (asked == 0 && code % mutation::kAlternatives == 0) {
+      fmt::print("{}\n", nlohmann::ordered_json{{"code", code}, {"reached", false}}.dump());
+    }
   }
   mutation::reached_alternatives = nullptr;
-  Campaign(trials).run(mutants);
+  Campaign(trials, kTimes * seconds_of_children() + kMore).run(mutants);
   return 0;
 }
 

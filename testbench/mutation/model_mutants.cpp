@@ -16,17 +16,6 @@
 namespace feline::mutation {
 namespace {
 
-// The rounding that the model does is beside the tables.
-std::vector<std::string> model_files(const std::filesystem::path& source) {
-  std::vector<std::string> files{"tables/rounding.h"};
-  for (const auto& entry : std::filesystem::directory_iterator(source / "model")) {
-    const std::string extension = entry.path().extension().string();
-    if (extension == ".h" || extension == ".cpp") files.push_back("model/" + entry.path().filename().string());
-  }
-  std::ranges::sort(files);
-  return files;
-}
-
 // Writes the sources with their sites where the build finds them; gives all of their text.
 std::string write_sources(const Workshop& workshop, std::vector<ModelSite>& sites) {
   const std::filesystem::path directory = workshop.directory / "model" / "sources";
@@ -50,27 +39,44 @@ void tell_fates(const std::vector<ModelSite>& sites, const std::string& lines,
     const nlohmann::json json = nlohmann::json::parse(line);
     const std::uint32_t code = json["code"];
     const ModelSite& site = sites.at(code / kAlternatives);
+    const std::string name = fmt::format("{} at {}:{}.{}", site.token, site.file, site.line, site.column);
+    FileFates& file = by_file[site.file];
+    if (!json.value("reached", true)) {
+      file.not_run.push_back(name);
+      continue;
+    }
     Fate fate;
     fate.mutant.site = site.number;
     fate.mutant.control = code % kAlternatives;
-    fate.name = fmt::format("{} at {}:{}.{}: {}", site.token, site.file, site.line, site.column,
-                            site.alternative(code % kAlternatives));
+    fate.name = fmt::format("{}: {}", name, site.alternative(code % kAlternatives));
     if (json.contains("tier")) {
       fate.tier = json["tier"];
       fate.stage = json["way"] == "mismatch" ? json["leaf"] : json["way"];
       fate.milliseconds = json["milliseconds"];
     }
-    by_file[site.file].fates.push_back(std::move(fate));
+    file.fates.push_back(std::move(fate));
   }
 }
 
 }  // namespace
 
+// The rounding that the model does is beside the tables.
+std::vector<std::string> model_files(const std::filesystem::path& source) {
+  std::vector<std::string> files{"tables/rounding.h"};
+  for (const auto& entry : std::filesystem::directory_iterator(source / "model")) {
+    const std::string extension = entry.path().extension().string();
+    if (extension == ".h" || extension == ".cpp") files.push_back("model/" + entry.path().filename().string());
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
 std::vector<FileFates> try_model(const Workshop& workshop) {
   std::vector<ModelSite> sites;
   const std::string text = write_sources(workshop, sites);
   std::map<std::string, FileFates> by_file;
-  for (const ModelSite& site : sites) ++by_file.try_emplace(site.file, FileFates{site.file, 0, {}}).first->second.sites;
+  for (const ModelSite& site : sites)
+    ++by_file.try_emplace(site.file, FileFates{site.file, 0, {}, {}}).first->second.sites;
   Progress progress("mutants of the model", sites.size());
   progress.show();
   bool built = false;
@@ -94,7 +100,8 @@ std::vector<FileFates> try_model(const Workshop& workshop) {
   for (auto& [file, fates] : by_file) {
     std::ranges::sort(fates.fates, {},
                       [](const Fate& fate) { return std::pair(fate.mutant.site, fate.mutant.control); });
-    if (!fates.fates.empty()) all.push_back(std::move(fates));
+    std::ranges::sort(fates.not_run);
+    all.push_back(std::move(fates));
   }
   return all;
 }

@@ -35,6 +35,7 @@ StageResult sum_of(const std::vector<StageResult>& results) {
     sum.unobserved += result.unobserved;
     for (const auto& [mutant, reason] : result.known) sum.known.emplace(result.stage + mutant, reason);
     sum.open.insert(sum.open.end(), result.open.begin(), result.open.end());
+    sum.not_run.insert(sum.not_run.end(), result.not_run.begin(), result.not_run.end());
   }
   return sum;
 }
@@ -78,7 +79,7 @@ StageResult judge(const std::string& stage, std::size_t sites, std::vector<Fate>
   std::vector<double> times;
   for (const Fate& fate : result.fates) {
     const bool has_reason = reasons != known.end() && reasons->second.contains(fate.name);
-    if (has_reason && (!fate.tier.empty() || fate.proved() || fate.differs)) result.stale.push_back(fate.name);
+    if (has_reason && (!fate.tier.empty() || fate.proved() || !fate.differs.empty())) result.stale.push_back(fate.name);
     if (!fate.tier.empty()) {
       ++result.killed[fate.tier];
       if (fate.milliseconds > 0) times.push_back(fate.milliseconds);  // not of what is inferred
@@ -86,10 +87,11 @@ StageResult judge(const std::string& stage, std::size_t sites, std::vector<Fate>
       ++result.same;
     } else if (fate.logic == Fate::Logic::kUnobserved) {
       ++result.unobserved;
-    } else if (has_reason && !fate.differs) {
+    } else if (has_reason && fate.differs.empty()) {
       result.known[fate.name] = reasons->second.at(fate.name);
     } else {
-      result.open.push_back(fate.differs ? fate.name + " (a beat differs, says SAT)" : fate.name);
+      result.open.push_back(fate.differs.empty() ? fate.name
+                                                 : fmt::format("{} (differs: {})", fate.name, fate.differs));
     }
   }
   result.median_milliseconds = median(std::move(times));
@@ -111,6 +113,7 @@ nlohmann::ordered_json to_json(const std::vector<StageResult>& results, std::opt
                                     {"proved_same", result.same}, {"proved_unobserved", result.unobserved},
                                     {"known", result.known},      {"open", result.open},
                                     {"stale", result.stale},      {"median_milliseconds", result.median_milliseconds}};
+    if (!result.not_run.empty()) json["stages"][result.stage]["not_run"] = result.not_run;
   }
   return json;
 }
@@ -128,6 +131,10 @@ std::string to_text(const std::vector<StageResult>& results, const std::vector<s
     out += fmt::format(" {} | {} | {} | {} | {} | {} |\n", row.same, row.unobserved, row.known.size(), row.open.size(),
                        percent(row.kills(), row.fates.size() - row.same - row.unobserved),
                        row.stage == "all" ? "" : fmt::format("{:.1f} ms", row.median_milliseconds));
+  }
+  if (!rows.empty() && !rows.back().not_run.empty()) {
+    out += fmt::format("{} sites are of constants and types, or nothing gets to them: not_run of mutation.json\n",
+                       rows.back().not_run.size());
   }
   for (const StageResult& result : results) {
     for (const std::string& name : result.open) out += fmt::format("OPEN: {}: {}\n", result.stage, name);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "testbench/mutation/aiger.h"
 
@@ -16,13 +17,16 @@ bool same_logic(const Aiger& right, const Aiger& wrong);
 // Whether it is proved by abc in 20 seconds that nobody sees a difference (observed_difference).
 bool unobserved(const Aiger& right, const Aiger& wrong);
 
-// Whether the only output of a circuit without state is 1 for any input, says CaDiCaL in 100 seconds; nothing when it
-// does not decide.
-std::optional<bool> satisfiable(const Aiger& aiger);
+// Inputs for which the only output of a circuit without state is 1, or that there are none, says CaDiCaL.
+struct Satisfied {
+  enum class Answer : std::uint8_t { kNever, kSometimes, kUndecided } answer = Answer::kUndecided;
+  std::vector<bool> inputs{};
+};
+Satisfied satisfy(const Aiger& aiger, int seconds);
 
-// Whether any legal beat comes out of a pipeline otherwise (steady_flow); nothing when it is not decided, or when beats
-// do not move by themselves.
-std::optional<bool> flows_otherwise(const Aiger& right, const Aiger& wrong);
+// Whether any legal beat comes out of a pipeline otherwise (steady_flow), and if so which. Undecided after 30 seconds,
+// or when beats do not move by themselves.
+Satisfied flows_otherwise(const Aiger& right, const Aiger& wrong);
 
 std::string solver_version();
 

@@ -37,7 +37,7 @@ Outcome run_tier(const Tier& tier, const std::optional<CloseBatches>& close) {
 
 std::vector<Tier> tiers(std::span<const std::string> names) {
   static const std::vector<Tier> all{{"smoke", 2000, {5, 0.1, 1}, false, false},
-                                     {"close", 500, {5, 0.3, 5}, false, false, true},
+                                     {"close", 1500, {5, 0.3, 5}, false, false, true},
                                      {"pace", 20000, {3, 0.2, 2}, false, true},
                                      {"suite", 100000, {1, 0, 3}, true, false},
                                      {"long", 400000, {7, 0.1, 4}, true, false}};

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 
@@ -47,12 +48,25 @@ std::filesystem::path known_file(const MutateOptions& options) {
   return std::filesystem::path(options.source) / "testbench/mutation/survivors.json";
 }
 
-void check_known(const mutation::StageMutants& stage, const mutation::KnownSurvivors& known,
+// Reasons are of stages, or of files of the model.
+void check_known(const mutation::KnownSurvivors& known, const MutateOptions& options) {
+  const std::vector<std::string_view> stages = stage_names();
+  const std::vector<std::string> files = mutation::model_files(options.source);
+  for (const auto& [name, reasons] : known) {
+    if (std::ranges::find(stages, name) != stages.end() || std::ranges::find(files, name) != files.end()) continue;
+    bad_input(known_file(options).string(), "stage", name,
+              fmt::format("{}, or a file of the model", fmt::join(stages, ", ")));
+  }
+}
+
+// And of mutants that there are.
+template <typename Has>
+void check_known(const std::string& name, const Has& has, const mutation::KnownSurvivors& known,
                  const MutateOptions& options) {
-  const auto reasons = known.find(stage.stage());
+  const auto reasons = known.find(name);
   if (reasons == known.end()) return;
   for (const auto& [mutant, reason] : reasons->second) {
-    if (!stage.has(mutant)) bad_input(known_file(options).string(), stage.stage(), mutant, "a mutant of this stage");
+    if (!has(mutant)) bad_input(known_file(options).string(), name, mutant, "a mutant of it");
   }
 }
 
@@ -60,7 +74,8 @@ mutation::StageResult run_stage(const std::string& name, const MutateOptions& op
                                 const mutation::Workshop& workshop, const mutation::KnownSurvivors& known) {
   std::filesystem::create_directories(workshop.directory / name);
   const mutation::StageMutants stage(name, workshop.source, workshop.directory / name);
-  check_known(stage, known, options);
+  check_known(
+      name, [&](const std::string& mutant) { return stage.has(mutant); }, known, options);
   std::vector<mutation::Fate> fates;
   const auto mutants = options.roms ? mutation::rom_mutants(stage.roms())
                                     : mutation::draw_mutants(stage.sites(), options.count, options.seed);
@@ -71,9 +86,9 @@ mutation::StageResult run_stage(const std::string& name, const MutateOptions& op
   prove_registers(stage, workshop, fates);
   compare_logic(stage, mutation::Fate::Logic::kSame, workshop, fates);
   try_mutants(stage, {"close", "pace", "suite"}, workshop, fates);
-  try_leaves(stage, false, workshop, fates);
   // A unit is too large to say what nobody sees of it.
   if (name != mutation::kUnitName) compare_logic(stage, mutation::Fate::Logic::kUnobserved, workshop, fates);
+  try_leaves(stage, false, workshop, fates);
   try_mutants(stage, {"long"}, workshop, fates);
   return judge(name, stage.sites().size(), std::move(fates), known);
 }
@@ -84,10 +99,16 @@ int run_mutate(const MutateOptions& options) {
   const mutation::KnownSurvivors known = mutation::read_known_survivors(known_file(options));
   prepare_directory(options.output, {"mutation.json", "mutation.md"});
   const mutation::Workshop workshop(options.source, directory);
+  check_known(known, options);
   std::vector<mutation::StageResult> results;
   if (options.model) {
     for (mutation::FileFates& file : try_model(workshop)) {
+      const auto has = [&](const std::string& mutant) {
+        return std::ranges::find(file.fates, mutant, &mutation::Fate::name) != file.fates.end();
+      };
+      check_known(file.file, has, known, options);
       results.push_back(judge(file.file, file.sites, std::move(file.fates), known));
+      results.back().not_run = std::move(file.not_run);
     }
   } else {
     for (const std::string& name : stages) results.push_back(run_stage(name, options, workshop, known));

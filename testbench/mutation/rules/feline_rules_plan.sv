@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What reaches plan: a beat stays until it is taken; the minor radius is not larger than the major one, which is 0 or at
-// least 64 (leaves footprint.*); nothing unsupported in the full configuration.
+// least 64 (leaves footprint.*), 0 under the least exponent alone (leaf group.align); nothing unsupported in the full configuration.
 `default_nettype none
 
 module feline_rules_plan (
@@ -14,6 +14,7 @@ module feline_rules_plan (
 );
   localparam logic [feline_pkg::RadiusWidth-1:0] Least =
       feline_pkg::RadiusWidth'(1) << (feline_pkg::MantissaWidth - 2 + feline_pkg::RadiusFraction);
+  localparam logic [feline_pkg::ExponentWidth-1:0] LeastExponent = {1'b1, (feline_pkg::ExponentWidth - 1)'(0)};
 
   logic                   held_q;
   feline_pkg::footprint_t footprint_q;
@@ -28,7 +29,8 @@ module feline_rules_plan (
 
   assign legal_o = sampler_legal && (!held_q || (footprint_valid_i && footprint_i == footprint_q)) &&
                    (!footprint_valid_i || (footprint_i.minor_radius <= footprint_i.major_radius &&
-                                           (footprint_i.major_radius == '0 || footprint_i.major_radius >= Least) &&
+                                           (footprint_i.major_radius == '0 ? footprint_i.exponent == LeastExponent
+                                                                           : footprint_i.major_radius >= Least) &&
                                            !footprint_i.status[feline_pkg::StatusUnsupported]));
 endmodule
 

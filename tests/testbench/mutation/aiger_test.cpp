@@ -6,48 +6,10 @@
 #include <stdexcept>
 
 #include "testbench/random.h"
+#include "tests/testbench/mutation/small_stage.h"
 
 namespace feline::mutation {
 namespace {
-
-// Runs logic a cycle at a time.
-class Simulator {
- public:
-  explicit Simulator(const Aiger& aiger) : aiger_(aiger), state_(aiger.next.size()) {}
-
-  std::vector<bool> cycle(const std::vector<bool>& inputs) {
-    std::vector<bool> values{false};
-    values.insert(values.end(), inputs.begin(), inputs.end());
-    values.insert(values.end(), state_.begin(), state_.end());
-    const auto read = [&](std::uint32_t literal) { return values[literal / 2] != ((literal & 1) != 0); };
-    for (const Aiger::Gate& gate : aiger_.gates) values.push_back(read(gate.left) && read(gate.right));
-    for (std::size_t i = 0; i < state_.size(); ++i) state_[i] = read(aiger_.next[i]);
-    std::vector<bool> outputs;
-    for (const Aiger::Output& output : aiger_.outputs) outputs.push_back(read(output.literal));
-    return outputs;
-  }
-
- private:
-  const Aiger& aiger_;
-  std::vector<bool> state_;
-};
-
-// A register between two streams that is always ready; its data are taken when they are valid, or, being another,
-// always; or inverted when mutant[1] is set.
-Aiger stage(bool takes_always) {
-  Aiger aiger;
-  aiger.inputs = {"x_valid_i", "x_i[0]", "mutant[0]", "mutant[1]"};
-  aiger.next.resize(2);
-  const std::uint32_t valid = 2 * 5;
-  const std::uint32_t data = 2 * 6;
-  const std::uint32_t kept = takes_always ? 0 : aiger.add_gate(data, 3);
-  const std::uint32_t taken = takes_always ? 4 : aiger.add_gate(4, 2);
-  const std::uint32_t next = aiger.add_gate(kept ^ 1, taken ^ 1) ^ 1;
-  const std::uint32_t flipped = aiger.add_gate(aiger.add_gate(next, 8) ^ 1, aiger.add_gate(next ^ 1, 9) ^ 1);
-  aiger.next = {2, flipped};
-  aiger.outputs = {{1, "x_ready_o"}, {valid, "y_valid_o"}, {data, "y_o[0]"}};
-  return aiger;
-}
 
 bool differs(const Aiger& miter) {
   Simulator simulator(miter);
@@ -109,44 +71,6 @@ TEST(mutation_aiger, bits_beyond_the_value_are_zeros) {
   const auto above = with_input(aiger, "x", 1, 64).outputs;
   EXPECT_EQ(above[0].literal, 2U) << "below the first";
   EXPECT_EQ(above[1].literal, 1U);
-}
-
-TEST(mutation_aiger, a_pipeline_that_is_longer_is_told) {
-  const Aiger plain = with_input(stage(false), "mutant", 0);
-  EXPECT_TRUE(comes_out(steady_flow(plain, 2)));
-  EXPECT_FALSE(comes_out(steady_flow(plain, 1)));
-  Aiger never = plain;
-  never.outputs.push_back({0, "legal_o"});
-  EXPECT_FALSE(comes_out(steady_flow(never, 2)));
-}
-
-TEST(mutation_aiger, in_steady_flow_registers_are_wires) {
-  const Aiger plain = steady_flow(with_input(stage(false), "mutant", 0), 3);
-  const Aiger always = steady_flow(with_input(stage(true), "mutant", 0), 3);
-  const Aiger flipped = steady_flow(with_input(stage(false), "mutant", 2), 3);
-  EXPECT_TRUE(plain.next.empty());
-  for (const bool value : {false, true}) {
-    const std::vector<bool> inputs{false, value, false, false};
-    EXPECT_EQ(Simulator(plain).cycle(inputs), (std::vector<bool>{true, true, value}));
-    EXPECT_EQ(Simulator(always).cycle(inputs), (std::vector<bool>{true, true, value}));
-    EXPECT_EQ(Simulator(flipped).cycle(inputs), (std::vector<bool>{true, true, !value}));
-  }
-}
-
-TEST(mutation_aiger, a_difference_is_one_of_any_output) {
-  const Aiger plain = steady_flow(with_input(stage(false), "mutant", 0), 3);
-  const Aiger flipped = steady_flow(with_input(stage(false), "mutant", 2), 3);
-  const std::vector<bool> inputs{false, true, false, false};
-  EXPECT_TRUE(Simulator(difference(plain, flipped)).cycle(inputs)[0]);
-  EXPECT_FALSE(Simulator(difference(plain, plain)).cycle(inputs)[0]);
-}
-
-TEST(mutation_aiger, nothing_illegal_flows) {
-  Aiger aiger = with_input(stage(false), "mutant", 0);
-  aiger.outputs.push_back({4, "legal_o"});  // only a one is
-  const Aiger flow = steady_flow(aiger, 3);
-  EXPECT_EQ(Simulator(flow).cycle({true, false, false, false}), (std::vector<bool>{false, false, false, false}));
-  EXPECT_EQ(Simulator(flow).cycle({true, true, false, false}), (std::vector<bool>{true, true, true, true}));
 }
 
 TEST(mutation_aiger, data_that_are_not_valid_are_not_looked_at) {

@@ -55,13 +55,13 @@ TEST(mutation_report, a_reason_of_what_is_killed_or_proved_is_stale) {
   for (std::size_t i = 0; i < fates.size(); ++i) fates[i].name = std::string(1, static_cast<char>('a' + i));
   fates[0].tier = "smoke";
   fates[1].logic = Fate::Logic::kUnobserved;
-  fates[3].differs = true;
-  fates[4].differs = true;
+  fates[3].differs = "x_i 0x1";
+  fates[4].differs = "x_i 0x1";
   const KnownSurvivors known = read(R"({"walk": [{"reason": "r", "mutants": ["a", "b", "c", "e"]}]})");
   const StageResult result = judge("walk", 4, fates, known);
   EXPECT_EQ(result.stale, (std::vector<std::string>{"a", "b", "e"}));
   EXPECT_EQ(result.known, (std::map<std::string, std::string>{{"c", "r"}}));
-  EXPECT_EQ(result.open, (std::vector<std::string>{"d (a beat differs, says SAT)", "e (a beat differs, says SAT)"}));
+  EXPECT_EQ(result.open, (std::vector<std::string>{"d (differs: x_i 0x1)", "e (differs: x_i 0x1)"}));
   EXPECT_NE(to_text({result}, {"smoke"}).find("STALE REASON: walk: b\n"), std::string::npos);
 }
 

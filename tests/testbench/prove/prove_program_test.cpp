@@ -58,6 +58,9 @@ TEST(prove_program, proves_small_leaves_and_checks_the_certificate) {
   EXPECT_NE(again.text.find("0 inputs by model"), std::string::npos) << again.text;
   EXPECT_EQ(run(std::string("prove --leaf ") + kSmall + " --output " + quoted_path(dir, "fresh")).code, 0);
   EXPECT_EQ(read_bytes(dir / "fresh" / "certificate.json"), bytes);
+  // One leaf again: what is there of the others stays.
+  EXPECT_EQ(run("prove --leaf walk.probe_weight" + output).code, 0);
+  EXPECT_EQ(read_bytes(dir / "proof" / "certificate.json"), bytes);
 }
 
 TEST(prove_program, the_certificate_that_is_checked_in_is_whole) {
