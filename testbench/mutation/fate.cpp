@@ -47,7 +47,7 @@ void tell_fates(std::span<Fate* const> fates, const std::string& lines) {
 
 void try_mutants(const StageMutants& stage, const std::vector<std::string>& tiers, const Workshop& workshop,
                  std::vector<Fate>& fates) {
-  constexpr std::size_t kTogether = 500;  // every run tries the unit without a mutant first
+  constexpr std::size_t kTogether = 2000;  // every run tries the unit without a mutant first
   const std::string program = (workshop.directory / "build" / ("feline_mutated_" + stage.stage())).string();
   std::vector<std::string> command{program};
   command.insert(command.end(), tiers.begin(), tiers.end());

@@ -13,6 +13,12 @@
 namespace feline::mutation {
 namespace {
 
+// Whether what differs nowhere in the leaf's domain is the same.
+bool is_complete(const prove::Leaf& leaf, const std::string& instance) {
+  const std::string_view in = leaf.complete_in;
+  return leaf.complete || (!in.empty() && (instance == in || instance.starts_with(fmt::format("{}.", in))));
+}
+
 // On all domains of one wrapper.
 void try_leaf(const StageMutants& stage, std::string_view wrapper, const std::vector<const prove::Leaf*>& leaves,
               bool quick, const Workshop& workshop, std::vector<Fate>& fates) {
@@ -52,7 +58,7 @@ void try_leaf(const StageMutants& stage, std::string_view wrapper, const std::ve
         open[i]->tier = kExhaustive;
         open[i]->stage = leaf->name;
         open[i]->lookup = inputs[i];
-      } else if (leaf->complete && inputs_tried == leaf->domain.count) {
+      } else if (inputs_tried == leaf->domain.count && is_complete(*leaf, in_leaf.instance(mutants[i]))) {
         open[i]->logic = Fate::Logic::kSame;
       }
     }

@@ -33,14 +33,14 @@ LeafMutants::LeafMutants(const StageMutants& stage, std::string_view wrapper, co
                                        read_command({leaves / "feline_stream_register.sv", leaves / (top_ + ".sv")}),
                                        read_command(sources_in(generated, "feline_rom_"), true)),
                            directory_);
-  const std::vector<Site> own = instrument(elaboration_.netlist, top_, nullptr, true).sites;
+  own_ = instrument(elaboration_.netlist, top_, nullptr, true).sites;
   for (const auto& [path, module] : elaboration_.instances) {
     if (!is_outermost(path, elaboration_)) continue;
     bool is_there = false;
     for (const auto& [stage_path, stage_module] : stage.elaboration().instances) {
       if (stage_module != module) continue;
       is_there = true;
-      sites_.merge(same_sites(stage.sites(), stage_path, own, path));
+      sites_.merge(same_sites(stage.sites(), stage_path, own_, path));
     }
     // With other parameters the name is another one.
     if (!is_there) throw std::runtime_error(fmt::format("{}: {} has no {}", top_, stage.stage(), module));

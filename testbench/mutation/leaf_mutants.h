@@ -25,6 +25,9 @@ class LeafMutants {
   // The leaf's own, or nothing: it is not in the leaf, or is the bit of a ROM.
   std::optional<Mutant> in_leaf(const Mutant& mutant) const;
 
+  // The instance that a mutant of the leaf is in, as "u_length.u_quotient".
+  std::string instance(const Mutant& own) const { return instance_of(own_[own.site - 1].cell); }
+
   // Gates, with the mutant as inputs mutant[0] to mutant[63], of these mutants of the leaf.
   Aiger logic(const std::vector<Mutant>& mutants) const;
 
@@ -32,6 +35,7 @@ class LeafMutants {
   std::string top_;
   std::filesystem::path source_, directory_;
   Elaboration elaboration_;
+  std::vector<Site> own_;
   std::map<std::uint32_t, std::uint32_t> sites_;  // the leaf's, by the stage's
 };
 

@@ -320,6 +320,9 @@ void append_front_leaves(std::vector<Leaf>& leaves) {
   leaves.back().measure = &measure_level;
   leaves.push_back(make_leaf<SampledLevel>("plan.sampled_level", "sampled_level", sampled_levels()));
   leaves.push_back(make_leaf<LineFraction>("plan.line_fraction", "line_fraction", line_fractions()));
+  // It sees the difference alone, which is at most the major radius. Of a radius of 0 there is one probe, which no line
+  // moves (plan.half_step_factor).
+  leaves.back().complete_in = "u_line_fraction.u_quotient";
   leaves.push_back(make_leaf<HalfStepFactor>("plan.half_step_factor", "half_step_factor", half_step_factors()));
   leaves.back().complete = true;
   leaves.push_back(make_leaf<TextureProduct>("plan.texture_product", "texture_product", texture_products()));

@@ -37,8 +37,9 @@ struct Leaf {
   MeasureErrors measure = nullptr;
   // So many of the first fields keep their values for many thousands of inputs.
   std::size_t steady_fields = 0;
-  // Nothing else can come in, and what comes out is all that its modules give.
+  // Nothing else can come in, and what comes out is all that its modules give; or so it is of this instance in it.
   bool complete = false;
+  std::string_view complete_in{};
 
   std::string_view stage() const { return std::string_view(name).substr(0, name.find('.')); }
   // Chunks are what is done, recorded and lost at once: seconds of work each.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What reaches plan: a beat stays until it is taken; the minor radius is not larger than the major one, which is 0 or at
-// least 64 (leaves footprint.*), 0 under the least exponent alone (leaf group.align); nothing unsupported in the full configuration.
+// least 64 (leaves footprint.*), 0 under the least exponent alone (leaf group.align); nothing unsupported in the full
+// configuration.
 `default_nettype none
 
 module feline_rules_plan (

@@ -28,6 +28,15 @@ TEST(leaf_mutants_long, every_leaf_has_mutants_of_its_stage) {
         return in_leaf.in_leaf({site.number, Kind::kInvert, 0, 0}).has_value();
       });
       EXPECT_TRUE(is_any) << wrapper;
+      // What a leaf is complete in is there.
+      for (const prove::Leaf& leaf : prove::all_leaves()) {
+        if (leaf.wrapper != wrapper || leaf.complete_in.empty()) continue;
+        const bool is_in = std::ranges::any_of(stage.sites(), [&](const Site& site) {
+          const auto own = in_leaf.in_leaf({site.number, Kind::kInvert, 0, 0});
+          return own && in_leaf.instance(*own) == leaf.complete_in;
+        });
+        EXPECT_TRUE(is_in) << leaf.name;
+      }
     }
   }
 }
