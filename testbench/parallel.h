@@ -13,7 +13,7 @@
 namespace feline {
 
 // Calls task(i) for every i of first .. end - 1, on all processors, each taking the next that nobody has. After one has
-// thrown no other one begins, and what it threw is thrown.
+// thrown no other one begins that can know, and what it threw is thrown.
 template <typename Task>
 void for_each_index(std::int64_t first, std::int64_t end, const Task& task) {
   std::atomic<std::int64_t> next{first};

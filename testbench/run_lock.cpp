@@ -16,7 +16,9 @@ RunLock::RunLock(const std::filesystem::path& file)
     : file_(::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666)) {
   if (file_ < 0) bad_input(file.string(), "open", std::strerror(errno), "a file that can be written");
   if (::flock(file_, LOCK_EX | LOCK_NB) != 0) {
+    const int error = errno;
     ::close(file_);
+    if (error != EWOULDBLOCK) bad_input(file.string(), "lock", std::strerror(error), "a file that can be locked");
     bad_input(file.string(), "lock", "a run that is still going on", "one run at a time in a directory");
   }
 }

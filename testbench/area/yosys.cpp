@@ -31,8 +31,13 @@ page::Finished run_yosys(const std::vector<std::string>& arguments, std::string_
 page::Finished run_abc(const std::string& commands, std::string_view needs_it, std::optional<int> seconds) {
   std::vector<std::string> command{"yosys-abc", "-q", commands};
   // abc looks at its own limits in places only.
-  if (seconds) command.insert(command.begin(), {"timeout", std::to_string(*seconds)});
-  return run_tool(command, kPackage, needs_it);
+  if (!seconds) return run_tool(command, kPackage, needs_it);
+  command.insert(command.begin(), {"timeout", std::to_string(*seconds)});
+  page::Finished finished = run_tool(command, "coreutils", needs_it);
+  constexpr int kNotFound = 127;  // of timeout
+  if (finished.code == kNotFound)
+    throw InputError(fmt::format("{}{} (Debian package {})", finished.errors, needs_it, kPackage));
+  return finished;
 }
 
 std::string yosys_version(std::string_view needs_it) {

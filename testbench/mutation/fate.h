@@ -39,8 +39,8 @@ void try_mutants(const StageMutants& stage, const std::vector<std::string>& tier
 
 // Tries those that no tier has killed and that are not proved the same on the leaves of `feline prove` that the stage
 // is made of: what differs anywhere in a domain, its enumeration kills, tier kExhaustive; what differs nowhere in a
-// complete one, or one that is for its instance, is proved the same. Quick: at 2^24 inputs of each leaf; else at all of
-// a complete one, and at 2^32 of any other.
+// complete one, or one that is for its instance, is proved the same; std::runtime_error if SAT knows better. Quick: at
+// 2^24 inputs of each leaf; else at all of a complete one, and at 2^32 of any other.
 inline constexpr const char* kExhaustive = "exhaustive";
 void try_leaves(const StageMutants& stage, bool quick, const Workshop& workshop, std::vector<Fate>& fates);
 

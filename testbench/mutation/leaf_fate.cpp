@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <stdexcept>
 
 #include "testbench/mutation/fate.h"
 #include "testbench/mutation/leaf_mutants.h"
@@ -59,6 +60,10 @@ void try_leaf(const StageMutants& stage, std::string_view wrapper, const std::ve
         open[i]->stage = leaf->name;
         open[i]->lookup = inputs[i];
       } else if (inputs_tried == leaf->domain.count && is_complete(*leaf, in_leaf.instance(mutants[i]))) {
+        if (!open[i]->differs.empty()) {
+          throw std::runtime_error(
+              fmt::format("{}: nothing differs in {}, but SAT says: {}", open[i]->name, leaf->name, open[i]->differs));
+        }
         open[i]->logic = Fate::Logic::kSame;
       }
     }

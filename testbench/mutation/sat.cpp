@@ -18,15 +18,15 @@ namespace feline::mutation {
 namespace {
 
 constexpr std::size_t kMostRegisters = 6;
-constexpr int kPatience = 30;  // seconds
+constexpr int kPatienceOfAbc = 20;  // seconds
+constexpr int kPatience = 30;
 constexpr std::string_view kSolverPackage = "cadical";
 
 bool says(const std::string& text, std::string_view words) { return text.find(words) != std::string::npos; }
 
 // What abc says in so many seconds. Throws std::runtime_error when it fails otherwise.
 std::string ask_abc(const std::string& commands) {
-  constexpr int kPatience = 20;
-  const page::Finished finished = run_abc(commands, kMutantsNeedIt, kPatience);
+  const page::Finished finished = run_abc(commands, kMutantsNeedIt, kPatienceOfAbc);
   if (finished.code != 0 && finished.code != kOutOfTime) {
     throw std::runtime_error(
         fmt::format("yosys-abc: exit code {}\n{}{}", finished.code, finished.output, finished.errors));
@@ -129,6 +129,7 @@ Satisfied flows_otherwise(const Aiger& right, const Aiger& wrong) {
     if (differ == Answer::kNever) pair.make_same();
   }
   if (!pair.right().comes_out()) throw std::runtime_error("a stage of more registers than a pipeline may have");
+  if (satisfy(pair.legal(), kPatience).answer != Answer::kSometimes) throw std::runtime_error("no beat is legal");
   return satisfy(pair.outputs_differ(), kPatience);
 }
 

@@ -24,8 +24,8 @@ struct Satisfied {
 };
 Satisfied satisfy(const Aiger& aiger, int seconds);
 
-// Whether any legal beat comes out of a pipeline otherwise (steady_flow), and if so which. Undecided after 30 seconds,
-// or when beats do not move by themselves.
+// Whether any legal beat comes out of a pipeline otherwise (steady_flow), and if so which; each question has 30
+// seconds. Undecided also when beats do not move by themselves. Throws std::runtime_error when no beat is legal.
 Satisfied flows_otherwise(const Aiger& right, const Aiger& wrong);
 
 std::string solver_version();

@@ -47,6 +47,8 @@ class SteadyPair {
   // legal.
   Aiger registers_differ();
   Aiger outputs_differ();
+  // A circuit whose output is 1 for a beat that was legal so far.
+  Aiger legal() { return with_output(1); }
   // From now on the latches of the one with the mutant hold what the others do.
   void make_same() { wrong_.state() = right_.state(); }
   const SteadyRun& right() const { return right_; }

@@ -145,10 +145,10 @@ void add_mutate(CLI::App& program, int& exit_code) {
   command->footer(
       "A mutant is a bit of an operator's port, inverted, stuck, or inverted by another bit, as in Yosys' mutate; one\n"
       "build of a stage runs all of its mutants. Those that the first trial does not kill are tried over the domains\n"
-      "of the stage's leaves (feline prove) and compared with the stage by SAT; what is neither killed nor proved the\n"
-      "same must be in testbench/mutation/survivors.json with a reason, or the exit code is 1, as for a reason of one\n"
-      "that is killed or proved. Goes on where it was stopped. Those of the model are tried on the leaves and the\n"
-      "model's tests.\n"
+      "of the stage's leaves (feline prove) and compared with the stage by SAT (Debian packages yosys and cadical);\n"
+      "what is neither killed nor proved the same must be in testbench/mutation/survivors.json with a reason, or the\n"
+      "exit code is 1, as for a reason of one that is killed, proved, or differs as SAT says. Goes on where it was\n"
+      "stopped. Those of the model are tried on the leaves and the model's tests.\n"
       "Example: feline mutate --stage walk,plan --count 2000 --output mutants");
   CLI::Option* const stage = command
                                  ->add_option("--stage", options->stages,

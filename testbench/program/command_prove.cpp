@@ -11,6 +11,7 @@
 #include "testbench/program/command_line.h"
 #include "testbench/program/commands.h"
 #include "testbench/prove/campaign.h"
+#include "testbench/run_lock.h"
 
 namespace feline {
 namespace {
@@ -134,17 +135,6 @@ int run_check(const ProveOptions& options, const Chosen& chosen) {
   return missing.empty() ? kHolds : kBroken;
 }
 
-// What a former run wrote of other leaves and proofs than these, under the same configuration.
-prove::Certificate kept_from(const std::filesystem::path& file, const Chosen& chosen, const std::string& yosys) {
-  prove::Certificate kept = prove::empty_certificate(yosys);
-  if (!std::filesystem::exists(file)) return kept;
-  prove::Certificate before = prove::read_certificate(file);
-  if (before.fingerprint != kept.fingerprint) return kept;
-  for (const prove::Leaf* const leaf : chosen.leaves) before.leaves.erase(leaf->name);
-  for (const prove::Proof* const proof : chosen.proofs) before.proofs.erase(std::string(proof->name));
-  return before;
-}
-
 int run_prove(const ProveOptions& options, const Chosen& chosen) {
   if constexpr (!is_default_unit()) {
     throw InputError("tables/config.h: exact arithmetic is written for the default configuration: legal is that one");
@@ -157,19 +147,17 @@ int run_prove(const ProveOptions& options, const Chosen& chosen) {
     check_fingerprint(*against, options.against);
   }
   const prove::LeafSynthesis synthesis(options.source);
+  synthesis.version();
   const std::filesystem::path directory = options.output;
-  const std::filesystem::path file = directory / "certificate.json";
-  const prove::Certificate kept = kept_from(file, chosen, synthesis.version());
   prepare_directory(options.output, {"certificate.json", "journal.jsonl"});
+  const RunLock lock(directory / "lock");
   const Cache cache(directory / "cache");
   const auto start = std::chrono::steady_clock::now();
   prove::Campaign campaign =
       prove::run_campaign(chosen.leaves, *shard, synthesis, cache, directory, against ? &*against : nullptr);
   const auto write_certificate = [&] {
-    prove::Certificate all = campaign.certificate;
-    all.merge(kept, file.string());
-    nlohmann::ordered_json json = prove::to_json(all);
-    write_file_atomically(file, json.dump(1) + "\n");
+    nlohmann::ordered_json json = prove::to_json(campaign.certificate);
+    write_file_atomically(directory / "certificate.json", json.dump(1) + "\n");
     return json;
   };
   write_certificate();
@@ -212,8 +200,9 @@ void add_prove(CLI::App& program, int& exit_code) {
       "prove",
       "enumerates every arithmetic leaf: RTL, netlist and model against exact arithmetic; proves the rest by SAT");
   command->footer(
-      "Writes certificate.json; goes on where it was stopped, and keeps what is there of other leaves. Two engines evaluate the RTL: Verilator's code, and the\n"
-      "netlist that Yosys makes, 8192 inputs at once (Debian package yosys).\n"
+      "Writes certificate.json, with all that this program has proved of these sources in the directory; goes on\n"
+      "where it was stopped. Two engines evaluate the RTL: Verilator's code, and the netlist that Yosys makes, 8192\n"
+      "inputs at once (Debian package yosys).\n"
       "Example: feline prove --leaf footprint --output proof; feline prove --check proof/certificate.json");
   command->add_option("--leaf", options->leaves,
                       "leaves or stages, with a comma between, or all; without it and --proof everything is proved");

@@ -12,6 +12,7 @@
 #include <thread>
 #include <variant>
 
+#include "testbench/error.h"
 #include "testbench/progress.h"
 #include "testbench/prove/journal.h"
 #include "testbench/thread_time.h"
@@ -119,21 +120,25 @@ Campaign run_campaign(const std::vector<const Leaf*>& leaves, const Shard& shard
   std::map<std::string, LeafCertificate>& proved = campaign.certificate.leaves;
   std::uint64_t inputs = 0;
   std::vector<Task> tasks;
-  for (const Leaf* const leaf : leaves) {
-    LeafCertificate& certificate = proved[leaf->name];
-    certificate.sources = synthesis.leaf_hash(leaf->wrapper);
-    certificate.worst.resize(leaf->quantities.size());
+  for (const Leaf& leaf : all_leaves()) {
+    LeafCertificate& certificate = proved[leaf.name];
+    certificate.sources = synthesis.leaf_hash(leaf.wrapper);
+    certificate.worst.resize(leaf.quantities.size());
   }
-  // Entries of other leaves and of other sources stay in the file, but count for nothing here.
+  // Entries of other sources stay in the file, but count for nothing here.
   Journal journal(
       directory / "journal.jsonl", content_hash("/proc/self/exe") + " " + synthesis.version(),
       [&](const Journal::Entry& entry) {
-        const auto leaf = std::ranges::find(leaves, entry.leaf, [](const Leaf* each) { return each->name; });
-        if (leaf == leaves.end() || entry.sources != proved[entry.leaf].sources || entry.chunk >= (*leaf)->chunks())
+        const auto leaf = std::ranges::find(all_leaves(), entry.leaf, &Leaf::name);
+        if (leaf == all_leaves().end() || entry.sources != proved[entry.leaf].sources || entry.chunk >= leaf->chunks())
           return;
         LeafCertificate& certificate = proved[entry.leaf];
         if (certificate.worst.size() == entry.result.worst.size()) certificate.add(entry.chunk, entry.result);
       });
+  const auto is_chosen = [&](std::string_view name) {
+    return std::ranges::any_of(leaves, [&](const Leaf* leaf) { return leaf->name == name; });
+  };
+  std::erase_if(proved, [&](const auto& each) { return each.second.digests.empty() && !is_chosen(each.first); });
   for (const Leaf* const leaf : leaves) {
     for (std::uint64_t chunk = shard.index; chunk < leaf->chunks(); chunk += shard.count) {
       if (proved[leaf->name].digests.contains(chunk)) {
@@ -166,13 +171,36 @@ Campaign run_campaign(const std::vector<const Leaf*>& leaves, const Shard& shard
   });
 
   if (against != nullptr) {
-    for (const auto& [name, certificate] : proved) compare(name, certificate, *against, campaign.disagreements);
+    for (const Leaf* const leaf : leaves) {
+      compare(leaf->name, proved[leaf->name], *against, campaign.disagreements);
+    }
   }
   return campaign;
 }
 
+namespace {
+
+std::string proof_key(const LeafSynthesis& synthesis, const Cache& cache, const std::string& hash) {
+  return cache.key({"proof", synthesis.version(), hash});
+}
+
+// Those that an earlier run has made of the same sources.
+void add_known_proofs(const LeafSynthesis& synthesis, const Cache& cache, Certificate& certificate) {
+  for (const Proof& proof : all_proofs()) {
+    try {
+      const std::string hash = proof_hash(proof, synthesis);
+      if (cache.read(proof_key(synthesis, cache, hash))) certificate.proofs[std::string(proof.name)] = hash;
+    } catch (const InputError&) {
+      // One that these sources do not have is not asked for.
+    }
+  }
+}
+
+}  // namespace
+
 void run_proofs(const std::vector<const Proof*>& proofs, const Shard& shard, const LeafSynthesis& synthesis,
                 const Cache& cache, const Certificate* against, Campaign& campaign) {
+  add_known_proofs(synthesis, cache, campaign.certificate);
   std::vector<const Proof*> mine;
   for (std::size_t i = shard.index; i < proofs.size(); i += shard.count) mine.push_back(proofs[i]);
   if (mine.empty()) return;
@@ -186,7 +214,7 @@ void run_proofs(const std::vector<const Proof*>& proofs, const Shard& shard, con
     using Verdict = ProofResult::Verdict;
     const Proof& proof = *mine[i];
     const std::string name(proof.name);
-    const std::string key = cache.key({"proof", synthesis.version(), hashes[i]});
+    const std::string key = proof_key(synthesis, cache, hashes[i]);
     const bool is_known = cache.read(key).has_value();
     const ProofResult result = is_known ? ProofResult{Verdict::kHolds, "", 0} : run_proof(proof, synthesis);
     const bool holds = result.verdict == Verdict::kHolds;

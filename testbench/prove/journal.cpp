@@ -53,7 +53,7 @@ std::optional<Journal::Entry> entry_from(const std::string& line) {
 
 Journal::Journal(const std::filesystem::path& file, const std::string& program,
                  const std::function<void(const Entry&)>& done)
-    : path_(file), lock_(file) {
+    : path_(file) {
   file_ = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (file_ < 0) fail(path_, "open");
   const std::string head = Json{{"program", program}}.dump();

@@ -7,12 +7,11 @@
 #include <string>
 
 #include "testbench/prove/chunk.h"
-#include "testbench/run_lock.h"
 
 namespace feline::prove {
 
 // What a run has done so far, a line a chunk, each on the disk before the next: a line cut short by the end of the
-// program or of the machine is as good as none. One run at a time.
+// program or of the machine is as good as none. For one run at a time.
 class Journal {
  public:
   // A chunk of a leaf whose modules have this hash.
@@ -23,7 +22,7 @@ class Journal {
   };
 
   // Calls `done` for each entry that the file holds; of another program it is begun anew. Throws InputError when it
-  // cannot be written, or another run has it.
+  // cannot be written.
   Journal(const std::filesystem::path& file, const std::string& program, const std::function<void(const Entry&)>& done);
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
@@ -36,7 +35,6 @@ class Journal {
   void write_line(const std::string& line);
 
   std::filesystem::path path_;
-  RunLock lock_;
   int file_ = -1;
 };
 

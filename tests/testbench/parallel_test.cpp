@@ -5,7 +5,9 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <stdexcept>
+#include <thread>
 
 namespace feline {
 namespace {
@@ -25,6 +27,25 @@ TEST(parallel, throws_what_a_task_throws) {
     };
     EXPECT_THROW(run(), std::runtime_error) << bad;
   }
+}
+
+TEST(parallel, ends_soon_after_a_task_has_thrown) {
+  std::atomic<int> begun{0};
+  const auto run = [&] {
+    for_each_index(0, 100000, [&](std::int64_t i) {
+      ++begun;
+      if (i == 0) throw std::runtime_error("task");
+      std::this_thread::sleep_for(std::chrono::microseconds(100));
+    });
+  };
+  EXPECT_THROW(run(), std::runtime_error);
+  EXPECT_LT(begun, 50000);
+}
+
+TEST(parallel, a_task_may_have_tasks) {
+  std::atomic<int> done{0};
+  for_each_index(0, 10, [&](std::int64_t) { for_each_index(0, 10, [&](std::int64_t) { ++done; }); });
+  EXPECT_EQ(done, 100);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What reaches plan: a beat stays until it is taken; the minor radius is not larger than the major one, which is 0 or at
-// least 64 (leaves footprint.*), 0 under the least exponent alone (leaf group.align); nothing unsupported in the full
-// configuration.
+// least 64 (leaves footprint.*), 0 under the least exponent alone (leaf group.align); without probes along a line both
+// are one (leaf footprint.isotropic); nothing unsupported in the full configuration.
 `default_nettype none
 
 module feline_rules_plan (
@@ -32,6 +32,8 @@ module feline_rules_plan (
                    (!footprint_valid_i || (footprint_i.minor_radius <= footprint_i.major_radius &&
                                            (footprint_i.major_radius == '0 ? footprint_i.exponent == LeastExponent
                                                                            : footprint_i.major_radius >= Least) &&
+                                           (sampler_i.mode >= feline_pkg::ModeExt ||
+                                            footprint_i.minor_radius == footprint_i.major_radius) &&
                                            !footprint_i.status[feline_pkg::StatusUnsupported]));
 endmodule
 

@@ -88,6 +88,8 @@ TEST(steady_flow, nothing_illegal_differs) {
   pair.step();
   EXPECT_TRUE(is_one(pair.registers_differ(), true));
   EXPECT_FALSE(is_one(pair.registers_differ(), false));
+  EXPECT_TRUE(is_one(pair.legal(), true));
+  EXPECT_FALSE(is_one(pair.legal(), false));
 }
 
 }  // namespace
