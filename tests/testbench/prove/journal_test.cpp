@@ -86,12 +86,6 @@ TEST(prove_journal, other_lines_are_as_good_as_none) {
   }
 }
 
-TEST(prove_journal, is_of_one_run_at_a_time) {
-  const TempDir dir;
-  const Journal first(dir / "j", "key", [](const Journal::Entry&) {});
-  EXPECT_NE(input_error([&] { read(dir / "j", "key"); }).find("one run at a time"), std::string::npos);
-}
-
 TEST(prove_journal, says_where_it_cannot_be_written) {
   EXPECT_NE(input_error([] { read("/nonexistent/j", "key"); }).find("/nonexistent/j"), std::string::npos);
 }

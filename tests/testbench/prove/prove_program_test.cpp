@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "testbench/run_lock.h"
 #include "tests/testbench/feline_program.h"
 
 namespace feline {
@@ -115,6 +116,14 @@ TEST(prove_program, a_wrong_netlist_is_told) {
                 quoted_path(dir, "proof"))
                 .code,
             1);
+}
+
+// Another run would write its certificate over this one's.
+TEST(prove_program, is_of_one_run_at_a_time_in_a_directory) {
+  const TempDir dir;
+  std::filesystem::create_directories(dir / "proof");
+  const RunLock lock(dir / "proof" / "lock");
+  expect_refused(dir, "prove --leaf walk --output " + quoted_path(dir, "proof"), {"proof/lock", "one run at a time"});
 }
 
 TEST(prove_program, a_digest_that_comes_out_otherwise_is_told) {
