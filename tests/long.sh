@@ -65,9 +65,9 @@ case $((day % 3)) in
     # An hour each: tests/fuzz.sh --seconds 3600.
     step "every parser under libFuzzer: tests/fuzz.sh"
     tests/fuzz.sh
-    stages=(walk group)
-    step "mutants of a stage of which none is left: feline mutate --stage ${stages[turn % 2]}"
-    build/feline mutate --stage "${stages[turn % 2]}" --output build/mutants
+    stages=(walk group filter)
+    step "mutants of a stage of which none is left: feline mutate --stage ${stages[turn % 3]}"
+    build/feline mutate --stage "${stages[turn % 3]}" --output build/mutants
     # All of them: tests/prune.sh, a quarter of an hour.
     step "pruned units of an eighth of the scenes: tests/prune.sh --shard $((turn % 8))/8"
     tests/prune.sh --shard "$((turn % 8))/8"
