@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # The packages of the tests, besides those of the build. Sourced after testbench/build.sh.
 feline_install_tests() {
-  feline_install clang++=clang clang-format=clang-format clang-tidy=clang-tidy yosys=yosys cadical=cadical iverilog=iverilog \
-    /usr/share/qflow/tech/osu018=qflow-tech-osu018 "$@"
+  feline_install clang++=clang clang-format=clang-format clang-tidy=clang-tidy yosys=yosys cadical=cadical \
+    iverilog=iverilog /usr/share/qflow/tech/osu018=qflow-tech-osu018 "$@"
 }
 
 # Those of tests/coverage.sh.

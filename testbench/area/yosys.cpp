@@ -3,9 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <system_error>
-
 #include "testbench/error.h"
+#include "testbench/tool.h"
 
 namespace feline {
 namespace {
@@ -13,14 +12,6 @@ namespace {
 constexpr std::string_view kPackage = "yosys";
 
 }  // namespace
-page::Finished run_tool(const std::vector<std::string>& command, std::string_view package, std::string_view needs_it) {
-  try {
-    return page::run_process(command, "");
-  } catch (const std::system_error& error) {
-    throw InputError(
-        fmt::format("{}: {}; {} (Debian package {})", command.front(), error.code().message(), needs_it, package));
-  }
-}
 
 page::Finished run_yosys(const std::vector<std::string>& arguments, std::string_view needs_it) {
   std::vector<std::string> command{"yosys"};

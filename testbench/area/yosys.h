@@ -17,9 +17,6 @@ page::Finished run_yosys(const std::vector<std::string>& arguments, std::string_
 inline constexpr int kOutOfTime = 124;
 page::Finished run_abc(const std::string& commands, std::string_view needs_it, std::optional<int> seconds = {});
 
-// Runs any tool, which is in this Debian package.
-page::Finished run_tool(const std::vector<std::string>& command, std::string_view package, std::string_view needs_it);
-
 // "Yosys 0.23".
 std::string yosys_version(std::string_view needs_it);
 

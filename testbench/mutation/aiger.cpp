@@ -248,9 +248,9 @@ Both joined(const Aiger& right, const Aiger& wrong, const std::vector<bool>& are
     of_right.push_back(2 * (both.aiger.first_latch() + i));
     of_wrong.push_back(are_same[i] ? of_right.back() : of_right.back() + 2 * latches);
   }
-  GateMaker maker(both.aiger);
-  both.rights = copy_gates(right, std::move(of_right), maker);
-  both.wrongs = copy_gates(wrong, std::move(of_wrong), maker);
+  HashedGates gates(both.aiger);
+  both.rights = copy_gates(right, std::move(of_right), gates);
+  both.wrongs = copy_gates(wrong, std::move(of_wrong), gates);
   return both;
 }
 

@@ -20,10 +20,10 @@ std::vector<std::uint32_t> copy_gates(const Aiger& from, std::vector<std::uint32
   return variables;
 }
 
-// Makes gates of a circuit, equal ones once.
-class GateMaker {
+// Makes gates of a circuit, equal ones once (structural hashing).
+class HashedGates {
  public:
-  explicit GateMaker(Aiger& aiger) : aiger_(aiger) {}
+  explicit HashedGates(Aiger& aiger) : aiger_(aiger) {}
   std::uint32_t operator()(std::uint32_t left, std::uint32_t right) {
     const auto [place, is_new] = known_.emplace(std::uint64_t{std::max(left, right)} << 32 | std::min(left, right), 0);
     if (is_new) place->second = aiger_.add_gate(left, right);

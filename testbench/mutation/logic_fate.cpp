@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // By SAT.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -23,29 +24,21 @@ struct Verdict {
 
 // "plan_i 0x1f, sampler_i 0x0": ports of more bits than one.
 std::string beat_text(const Aiger& aiger, const std::vector<bool>& inputs) {
-  std::map<std::string, std::vector<bool>> ports;
+  std::map<std::string, std::vector<unsigned>> digits;  // of each port, the least first
   for (std::size_t i = 0; i < aiger.inputs.size(); ++i) {
-    const std::string& name = aiger.inputs[i];
-    const std::size_t bracket = name.find('[');
-    if (bracket == std::string::npos || name.starts_with("mutant[")) continue;
-    std::vector<bool>& bits = ports[name.substr(0, bracket)];
-    const std::size_t bit = std::stoul(name.substr(bracket + 1));
-    bits.resize(std::max(bits.size(), bit + 1));
-    bits[bit] = inputs[i];
+    const std::string port = port_of(aiger.inputs[i]);
+    if (port == aiger.inputs[i] || port == "mutant") continue;
+    const std::size_t bit = std::stoul(aiger.inputs[i].substr(port.size() + 1));
+    std::vector<unsigned>& of_port = digits[port];
+    of_port.resize(std::max(of_port.size(), bit / 4 + 1));
+    of_port[bit / 4] |= unsigned{inputs[i]} << bit % 4;
   }
-  std::string text;
-  for (const auto& [port, bits] : ports) {
-    text += fmt::format("{}{} 0x", text.empty() ? "" : ", ", port);
-    for (std::size_t digit = (bits.size() + 3) / 4; digit-- > 0;) {
-      unsigned value = 0;
-      for (std::size_t bit = 4; bit-- > 0;) {
-        const std::size_t place = 4 * digit + bit;
-        value = 2 * value + (place < bits.size() && bits[place] ? 1U : 0U);
-      }
-      text += fmt::format("{:x}", value);
-    }
+  std::vector<std::string> ports;
+  for (auto& [port, of_port] : digits) {
+    std::ranges::reverse(of_port);
+    ports.push_back(fmt::format("{} 0x{:x}", port, fmt::join(of_port, "")));
   }
-  return text;
+  return fmt::format("{}", fmt::join(ports, ", "));
 }
 
 Verdict whether_observed(const StageMutants& stage, const Mutant& mutant, const Aiger& right, const Aiger& wrong) {

@@ -13,6 +13,7 @@
 #include "testbench/mutation/elaboration.h"
 #include "testbench/mutation/steady_flow.h"
 #include "testbench/text_file.h"
+#include "testbench/tool.h"
 
 namespace feline::mutation {
 namespace {

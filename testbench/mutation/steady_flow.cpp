@@ -41,10 +41,10 @@ SteadyRun::SteadyRun(const Aiger& aiger) : aiger_(aiger), given_{0}, state_(aige
   }
 }
 
-void SteadyRun::step(GateMaker& maker) {
+void SteadyRun::step(HashedGates& gates) {
   variables_ = given_;
   variables_.insert(variables_.end(), state_.begin(), state_.end());
-  variables_ = copy_gates(aiger_, std::move(variables_), maker);
+  variables_ = copy_gates(aiger_, std::move(variables_), gates);
   for (std::size_t i = 0; i < state_.size(); ++i) state_[i] = moved(aiger_.next[i]);
 }
 
@@ -62,24 +62,24 @@ bool SteadyRun::comes_out() const {
 }
 
 SteadyPair::SteadyPair(const Aiger& right, const Aiger& wrong)
-    : both_{right.inputs, {}, {}, {}}, maker_(both_), right_(right), wrong_(wrong), outputs_(right.outputs.size()) {}
+    : both_{right.inputs, {}, {}, {}}, gates_(both_), right_(right), wrong_(wrong), outputs_(right.outputs.size()) {}
 
 void SteadyPair::step() {
-  right_.step(maker_);
-  wrong_.step(maker_);
-  legal_ = maker_(legal_, right_.legal());
+  right_.step(gates_);
+  wrong_.step(gates_);
+  legal_ = gates_(legal_, right_.legal());
 }
 
-Aiger SteadyPair::with_output(std::uint32_t differs) {
+Aiger SteadyPair::with_output(std::uint32_t literal) {
   Aiger circuit = both_;
-  circuit.outputs.push_back({circuit.add_gate(legal_, differs), "differs"});
+  circuit.outputs.push_back({circuit.add_gate(legal_, literal), ""});
   return circuit;
 }
 
 Aiger SteadyPair::registers_differ() {
   std::uint32_t differs = 0;
   for (std::size_t i = 0; i < right_.state().size(); ++i) {
-    differs = maker_.either(differs, maker_.different(right_.state()[i], wrong_.state()[i]));
+    differs = gates_.either(differs, gates_.different(right_.state()[i], wrong_.state()[i]));
   }
   return with_output(differs);
 }
@@ -87,7 +87,7 @@ Aiger SteadyPair::registers_differ() {
 Aiger SteadyPair::outputs_differ() {
   std::uint32_t differs = 0;
   for (std::size_t i = 0; i < outputs_; ++i) {
-    differs = maker_.either(differs, maker_.different(right_.output(i), wrong_.output(i)));
+    differs = gates_.either(differs, gates_.different(right_.output(i), wrong_.output(i)));
   }
   return with_output(differs);
 }

@@ -18,7 +18,7 @@ bool moves_by_itself(const Aiger& aiger);
 class SteadyRun {
  public:
   explicit SteadyRun(const Aiger& aiger);
-  void step(GateMaker& maker);
+  void step(HashedGates& gates);
   // In the last cycle.
   std::uint32_t output(std::size_t i) const { return moved(aiger_.outputs[i].literal); }
   // Output legal_o, or 1.
@@ -54,10 +54,11 @@ class SteadyPair {
   const SteadyRun& right() const { return right_; }
 
  private:
-  Aiger with_output(std::uint32_t differs);
+  // 1 when this literal is, of a beat that was legal so far.
+  Aiger with_output(std::uint32_t literal);
 
   Aiger both_;
-  GateMaker maker_;
+  HashedGates gates_;
   SteadyRun right_, wrong_;
   std::size_t outputs_;
   std::uint32_t legal_ = 1;

@@ -13,7 +13,7 @@
 #include "testbench/error.h"
 #include "testbench/mutation/elaboration.h"
 #include "testbench/mutation/sat.h"
-#include "testbench/page/process.h"
+#include "testbench/tool.h"
 
 namespace feline::mutation {
 namespace {

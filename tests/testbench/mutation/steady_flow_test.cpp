@@ -28,25 +28,25 @@ TEST(steady_flow, data_that_move_a_beat_are_told) {
 TEST(steady_flow, a_pipeline_that_is_longer_is_told) {
   Aiger plain = with_input(stage(false), "mutant", 0);
   Aiger circuit{plain.inputs, {}, {}, {}};
-  GateMaker maker(circuit);
+  HashedGates gates(circuit);
   SteadyRun run(plain);
-  run.step(maker);
+  run.step(gates);
   EXPECT_FALSE(run.comes_out());
-  run.step(maker);
+  run.step(gates);
   EXPECT_TRUE(run.comes_out());
   plain.outputs.push_back({0, "legal_o"});
   SteadyRun never(plain);
-  never.step(maker);
-  never.step(maker);
+  never.step(gates);
+  never.step(gates);
   EXPECT_FALSE(never.comes_out());
 }
 
 TEST(steady_flow, registers_are_wires) {
   const Aiger plain = with_input(stage(false), "mutant", 0);
   Aiger circuit{plain.inputs, {}, {}, {}};
-  GateMaker maker(circuit);
+  HashedGates gates(circuit);
   SteadyRun run(plain);
-  for (int cycle = 0; cycle < 3; ++cycle) run.step(maker);
+  for (int cycle = 0; cycle < 3; ++cycle) run.step(gates);
   EXPECT_EQ(run.output(0), 1U);
   EXPECT_EQ(run.output(1), 1U);
   EXPECT_EQ(run.output(2), 4U) << "the data";
