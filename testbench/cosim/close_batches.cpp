@@ -19,14 +19,25 @@ constexpr int kLevels = 3;
 constexpr int kSize = 1 << (kLevels - 1);
 constexpr std::size_t kFree = 4;  // texels that are chosen
 constexpr std::size_t kCodes = 256;
+constexpr std::size_t kAlpha = 3;
 
-Sums exact_sums(const Lookup& lookup, const SamplerState<kUnit>& sampler, const TextureMemory& memory) {
-  Sums sums{};
+// What each probe adds to the sums.
+std::vector<Sums> products_of(const Lookup& lookup, const SamplerState<kUnit>& sampler, const TextureMemory& memory) {
+  std::vector<Sums> products;
   sample<kUnit>(make_request<kUnit>(lookup, 0), sampler, memory, [&]<typename Beat>(const Beat& beat) {
     if constexpr (std::is_same_v<Beat, FilterBeat<kUnit>>) {
-      for (std::size_t c = 0; c < 4; ++c) sums[c] += beat.colour[c].raw() * beat.weight.raw();
+      Sums& product = products.emplace_back();
+      for (std::size_t c = 0; c < 4; ++c) product[c] = beat.colour[c].raw() * beat.weight.raw();
     }
   });
+  return products;
+}
+
+Sums sum_of(const std::vector<Sums>& products) {
+  Sums sums{};
+  for (const Sums& product : products) {
+    for (std::size_t c = 0; c < 4; ++c) sums[c] += product[c];
+  }
   return sums;
 }
 
@@ -64,13 +75,20 @@ class Steered {
   }
 
   // Chooses four texels so that each channel's sum is next to where its code goes up. False when the lookup touches
-  // fewer, or, at an edge, when alpha's sum is of whole codes, as most borders leave it.
+  // fewer, or, at an edge, when alpha's sum cannot come there, or not from fractions of codes.
   bool steer(SplitMix64& random) {
+    Sums wanted{};
+    // A tie, or the step before it, which is 16 of a linear channel; or a few around.
+    constexpr std::array<std::int64_t, 3> kSteps{0, -1, -16};
+    for (std::int64_t& steps : wanted) {
+      const std::uint32_t kind = random.below(4);
+      steps = kind < 3 ? kSteps[kind] : static_cast<std::int64_t>(random.below(256)) - 128;
+    }
+    if (at_edge_ && !borders_reach(wanted[kAlpha])) return false;
     const std::vector<std::uint8_t*> free = finest();
     if (free.size() < kFree) return false;
     for (std::uint8_t* const texel : free) std::fill_n(texel, 4, std::uint8_t{0});
     const Sums rest = sums();
-    if (at_edge_ && rest[3] % (1 << F::kChannel.fraction_bits) == 0) return false;
     std::array<std::array<Sums, kCodes>, kFree> gives{};
     for (std::size_t i = 0; i < kFree; ++i) {
       for (std::size_t code = 0; code < kCodes; ++code) {
@@ -81,12 +99,9 @@ class Steered {
       std::fill_n(free[i], 4, std::uint8_t{0});
     }
     for (std::size_t c = 0; c < 4; ++c) {
-      // A tie, or the step before it, which is 16 of a linear channel; or a few around.
-      constexpr std::array<std::int64_t, 3> kSteps{0, -1, -16};
-      const std::uint32_t kind = random.below(4);
-      const std::int64_t wanted = kind < 3 ? kSteps[kind] : static_cast<std::int64_t>(random.below(256)) - 128;
       const auto give = [&](std::size_t i, std::size_t code) { return gives[i][code][c]; };
-      const std::array<std::size_t, kFree> codes = meet(give, wanted - beyond(rest[c]), random.below(kCodes * kCodes));
+      const std::array<std::size_t, kFree> codes =
+          meet(give, wanted[c] - beyond(rest[c]), random.below(kCodes * kCodes));
       for (std::size_t i = 0; i < kFree; ++i) free[i][c] = static_cast<std::uint8_t>(codes[i]);
     }
     return true;
@@ -97,9 +112,19 @@ class Steered {
   const Lookup& lookup() const { return lookup_; }
 
  private:
-  Sums sums() const {
+  std::vector<Sums> products() const {
     const TextureMemory laid_out = memory();
-    return exact_sums(lookup_, make_sampler<kUnit>(options_, texture_, laid_out), laid_out);
+    return products_of(lookup_, make_sampler<kUnit>(options_, texture_, laid_out), laid_out);
+  }
+  Sums sums() const { return sum_of(products()); }
+
+  // Whether alpha, of which texels give whole codes, gets fractions of them from borders, which leave it where it can
+  // come to the wanted steps.
+  bool borders_reach(std::int64_t wanted) const {
+    constexpr std::int64_t kCode = 1 << F::kChannel.fraction_bits;
+    const std::vector<Sums> all = products();
+    return (sum_of(all)[kAlpha] - wanted) % kCode == 0 &&
+           std::ranges::any_of(all, [](const Sums& product) { return product[kAlpha] % kCode != 0; });
   }
 
   // The texels whose least step is least.
@@ -109,9 +134,9 @@ class Steered {
     for (MipLevel& level : texture_.levels) {
       for (std::size_t at = 0; at < level.texels.size(); at += 4) {
         // Alpha, which sRGB leaves as it is.
-        std::uint8_t& alpha = level.texels[at + 3];
+        std::uint8_t& alpha = level.texels[at + kAlpha];
         alpha ^= 1;
-        const std::int64_t step = sums()[3] - before[3];
+        const std::int64_t step = sums()[kAlpha] - before[kAlpha];
         alpha ^= 1;
         if (step != 0) steps.emplace_back(std::countr_zero(static_cast<std::uint64_t>(step)), &level.texels[at]);
       }
@@ -184,7 +209,7 @@ Batch CloseBatches::operator[](std::size_t i) const {
 
 std::int64_t CloseBatches::distance(std::size_t i, std::size_t channel) const {
   const Close& close = batches_[i];
-  const std::int64_t steps = beyond(exact_sums(close.lookups.front(), close.sampler, close.memory)[channel]);
+  const std::int64_t steps = beyond(sum_of(products_of(close.lookups.front(), close.sampler, close.memory))[channel]);
   return steps < kOne / 2 ? steps : steps - kOne;
 }
 

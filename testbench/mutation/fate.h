@@ -44,9 +44,12 @@ void try_mutants(const StageMutants& stage, const std::vector<std::string>& tier
 inline constexpr const char* kExhaustive = "exhaustive";
 void try_leaves(const StageMutants& stage, bool quick, const Workshop& workshop, std::vector<Fate>& fates);
 
-// Proves by SAT (abc pdr) of a pipeline's registers, each by itself, that nobody sees a difference: what leaves one
-// while it is not valid, no other one takes.
+// Proves by SAT (abc pdr) of the registers of a pipeline or the unit, each by itself, that nobody sees a difference:
+// what leaves one while it is not valid, no other one takes.
 void prove_registers(const StageMutants& stage, const Workshop& workshop, std::vector<Fate>& fates);
+
+// Proves of the unit's mutants at a stage's port that nobody sees a difference in that stage, for all that may come in.
+void prove_ports(const StageMutants& unit, const Workshop& workshop, std::vector<Fate>& fates);
 
 // Proves by SAT what it can of those that no tier has killed: that all their logic is the stage's (abc &cec); or that
 // nobody sees a difference: in a pipeline's arithmetic, of what comes out for a legal beat (CaDiCaL),

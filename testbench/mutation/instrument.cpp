@@ -37,10 +37,32 @@ class Instrumenter {
     }
   }
 
+  // After the sites of cells. Without `only` they are told, but stay as they are.
+  void add_port_sites() {
+    const Json ports = module_["ports"];
+    for (const auto& [name, port] : ports.items()) {
+      if (name == "clk_i") continue;
+      const Json& bits = port["bits"];
+      Site site;
+      site.number = ++last_;
+      site.port = name;
+      site.width = static_cast<std::uint32_t>(bits.size());
+      for (std::uint32_t place = 0; place < site.width; ++place) site.bits.push_back({place, false});
+      if (only_ != nullptr && is_wanted(site)) {
+        const Json outer = new_bits(site.width);
+        module_["ports"][name]["bits"] = outer;
+        module_["netnames"][name] = net(outer);
+        insert(site, port["direction"] == "output" ? bits : outer, port["direction"] == "output" ? outer : bits);
+      }
+      ports_.push_back(std::move(site));
+    }
+  }
+
   InstrumentedStage take(const std::string& top) {
     InstrumentedStage stage;
     stage.netlist = {{"creator", "feline"}, {"modules", {{top, std::move(module_)}}}};
     stage.sites = std::move(sites_);
+    stage.ports = std::move(ports_);
     stage.roms = {roms_.begin(), roms_.end()};
     return stage;
   }
@@ -88,6 +110,16 @@ class Instrumenter {
             {"connections", connections}};
   }
 
+  bool is_wanted(const Site& site) const { return only_ == nullptr || std::ranges::binary_search(*only_, site.number); }
+
+  void insert(const Site& site, const Json& from, const Json& to) {
+    module_["cells"][fmt::format("mutation_{}", site.number)] =
+        cell("feline_mutation_site",
+             {{"Width", fmt::format("{:032b}", site.width)}, {"Site", fmt::format("{:032b}", site.number)}},
+             {{"mutant_i", "input"}, {"data_i", "input"}, {"data_o", "output"}},
+             {{"mutant_i", mutant_}, {"data_i", from}, {"data_o", to}});
+  }
+
   void add_site(const std::string& name, const Json& of, const std::string& port, const Json& bits, bool output) {
     Site site;
     site.number = ++last_;
@@ -103,17 +135,11 @@ class Instrumenter {
         site.bits.push_back({place, constant});
       }
     }
-    const bool wanted = only_ == nullptr || std::ranges::binary_search(*only_, site.number);
-    if (wanted && !site.bits.empty()) {
+    if (is_wanted(site) && !site.bits.empty()) {
       const Json inner = new_bits(site.width);
-      const std::string site_name = fmt::format("mutation_{}", site.number);
       module_["netnames"]["mutated_" + std::to_string(site.number)] = net(inner);
       module_["cells"][name]["connections"][port] = inner;
-      module_["cells"][site_name] =
-          cell("feline_mutation_site",
-               {{"Width", fmt::format("{:032b}", site.width)}, {"Site", fmt::format("{:032b}", site.number)}},
-               {{"mutant_i", "input"}, {"data_i", "input"}, {"data_o", "output"}},
-               {{"mutant_i", mutant_}, {"data_i", output ? inner : bits}, {"data_o", output ? bits : inner}});
+      insert(site, output ? inner : bits, output ? bits : inner);
     }
     sites_.push_back(std::move(site));
   }
@@ -126,6 +152,7 @@ class Instrumenter {
   std::uint32_t last_ = 0;
   Json mutant_;
   std::vector<Site> sites_;
+  std::vector<Site> ports_;
 };
 
 }  // namespace
@@ -135,6 +162,7 @@ InstrumentedStage instrument(const Json& netlist, const std::string& top, const 
   if (!netlist["modules"].contains(top)) throw std::runtime_error(fmt::format("no module {} in the netlist", top));
   Instrumenter instrumenter(netlist["modules"][top], only);
   instrumenter.add_sites();
+  instrumenter.add_port_sites();
   instrumenter.add_source(port);
   return instrumenter.take(top);
 }

@@ -12,6 +12,9 @@
 namespace feline::mutation {
 namespace {
 
+// What a reason begins with that a beat which comes out otherwise refutes.
+constexpr std::string_view kEquivalent = "equivalent";
+
 // Rounded down, so that only all of them are 100 %.
 std::string percent(std::size_t part, std::size_t whole) {
   if (whole == 0) return "-";
@@ -79,7 +82,9 @@ StageResult judge(const std::string& stage, std::size_t sites, std::vector<Fate>
   std::vector<double> times;
   for (const Fate& fate : result.fates) {
     const bool has_reason = reasons != known.end() && reasons->second.contains(fate.name);
-    if (has_reason && (!fate.tier.empty() || fate.proved() || !fate.differs.empty())) result.stale.push_back(fate.name);
+    const bool is_refuted =
+        has_reason && !fate.differs.empty() && reasons->second.at(fate.name).starts_with(kEquivalent);
+    if (has_reason && (!fate.tier.empty() || fate.proved() || is_refuted)) result.stale.push_back(fate.name);
     if (!fate.tier.empty()) {
       ++result.killed[fate.tier];
       if (fate.milliseconds > 0) times.push_back(fate.milliseconds);  // not of what is inferred
@@ -87,7 +92,7 @@ StageResult judge(const std::string& stage, std::size_t sites, std::vector<Fate>
       ++result.same;
     } else if (fate.logic == Fate::Logic::kUnobserved) {
       ++result.unobserved;
-    } else if (has_reason && fate.differs.empty()) {
+    } else if (has_reason && !is_refuted) {
       result.known[fate.name] = reasons->second.at(fate.name);
     } else {
       result.open.push_back(fate.differs.empty() ? fate.name

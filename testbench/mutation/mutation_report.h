@@ -13,6 +13,8 @@
 namespace feline::mutation {
 
 // Survivors without a proof that have a reason all the same: of each stage, by the mutant's description, the reason.
+// One that begins with "equivalent" is refuted by a beat that comes out otherwise (Fate::differs); any other one says
+// why nobody can see what differs.
 using KnownSurvivors = std::map<std::string, std::map<std::string, std::string>>;
 
 // {"walk": [{"reason": "...", "mutants": ["...", ...]}, ...], ...}. Throws InputError naming the file, the field and
@@ -29,7 +31,7 @@ struct StageResult {
   std::size_t unobserved = 0;
   std::map<std::string, std::string> known;  // not proved, but with a reason
   std::vector<std::string> open;             // nothing is known of these
-  std::vector<std::string> stale;            // with a reason, but killed, proved, or known to differ
+  std::vector<std::string> stale;            // with a reason, but killed, proved, or refuted
   std::vector<std::string> not_run;          // sites of the model that nothing gets to while it runs
   double median_milliseconds = 0;            // to kill
 

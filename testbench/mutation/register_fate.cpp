@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// In the registers of a pipeline.
+// In the registers of a pipeline, and in the unit's own.
 #include <map>
 
 #include "testbench/mutation/fate.h"
@@ -57,10 +57,12 @@ void prove_register(const StageMutants& stage, const std::string& module, const 
 }  // namespace
 
 void prove_registers(const StageMutants& stage, const Workshop& workshop, std::vector<Fate>& fates) {
-  if (!is_pipeline(stage)) return;
+  if (!is_pipeline(stage) && stage.stage() != kUnitName) return;
   std::map<std::string, std::vector<std::string>> paths;  // by module
   for (const auto& [path, module] : stage.elaboration().instances) {
-    if (module.find("feline_stream_register") != std::string::npos) paths[module].push_back(path);
+    const bool is_register = module.find("feline_stream_register") != std::string::npos ||
+                             module.find("feline_spill_register") != std::string::npos;
+    if (is_register) paths[module].push_back(path);
   }
   Progress progress(stage.stage() + ": registers", paths.size());
   for (const auto& [module, of_module] : paths) {

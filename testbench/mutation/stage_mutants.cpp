@@ -84,6 +84,7 @@ StageMutants::StageMutants(std::string stage, const std::filesystem::path& sourc
                            directory_);
   InstrumentedStage instrumented = instrument(elaboration_.netlist, top, nullptr, false);
   sites_ = std::move(instrumented.sites);
+  ports_ = std::move(instrumented.ports);
   labels_ = site_labels(sites_);
   if (is_pipeline(*this)) check_state(sites_);
   text_ = to_verilog(instrumented.netlist, top, directory_);
@@ -148,6 +149,10 @@ bool StageMutants::has(std::string_view description) const {
 }
 
 bool StageMutants::in_stream(const Mutant& mutant) const {
+  if (mutant.kind != Kind::kRomBit && mutant.site > sites_.size()) {
+    const std::string& port = ports_[mutant.site - sites_.size() - 1].port;
+    return port == "rst_i" || port.find("_valid_") != std::string::npos || port.find("_ready_") != std::string::npos;
+  }
   const std::string& place = mutant.kind == Kind::kRomBit ? std::string() : sites_[mutant.site - 1].source;
   return place.find("/rtl/") == std::string::npos || place.find(kStreamRegister) != std::string::npos;
 }

@@ -23,6 +23,8 @@ class StageMutants {
 
   const std::string& stage() const { return stage_; }
   const std::vector<Site>& sites() const { return sites_; }
+  // Of the stage's own ports: what is wrong in the unit that it is in, for logic() alone.
+  const std::vector<Site>& ports() const { return ports_; }
   const std::vector<Rom>& roms() const { return roms_; }
   const Elaboration& elaboration() const { return elaboration_; }
   // What a result follows from.
@@ -36,7 +38,7 @@ class StageMutants {
   bool has(std::string_view description) const;
 
   // Whether it may touch valid or ready, or when a register takes what it holds: not in a module of the stage's
-  // arithmetic.
+  // arithmetic, nor a port of data.
   bool in_stream(const Mutant& mutant) const;
 
   // The stage's combinational logic, registers and memories cut open, as binary AIGER with the mutant as inputs
@@ -53,6 +55,7 @@ class StageMutants {
   std::filesystem::path source_, directory_;
   Elaboration elaboration_;
   std::vector<Site> sites_;
+  std::vector<Site> ports_;
   std::vector<std::string> labels_;  // of the sites
   std::vector<Rom> roms_;
   std::string text_;

@@ -92,8 +92,11 @@ mutation::StageResult run_stage(const std::string& name, const MutateOptions& op
   } else {
     try_mutants(stage, {"close", "pace", "suite"}, workshop, fates);
   }
-  // A unit is too large to say what nobody sees of it.
-  if (name != mutation::kUnitName) compare_logic(stage, mutation::Fate::Logic::kUnobserved, workshop, fates);
+  if (name == mutation::kUnitName) {
+    prove_ports(stage, workshop, fates);  // the unit is too large to say what nobody sees of it
+  } else {
+    compare_logic(stage, mutation::Fate::Logic::kUnobserved, workshop, fates);
+  }
   try_leaves(stage, false, workshop, fates);
   try_mutants(stage, {"long"}, workshop, fates);
   return judge(name, stage.sites().size(), std::move(fates), known);
@@ -147,8 +150,8 @@ void add_mutate(CLI::App& program, int& exit_code) {
       "build of a stage runs all of its mutants. Those that the first trial does not kill are tried over the domains\n"
       "of the stage's leaves (feline prove) and compared with the stage by SAT (Debian packages yosys and cadical);\n"
       "what is neither killed nor proved the same must be in testbench/mutation/survivors.json with a reason, or the\n"
-      "exit code is 1, as for a reason of one that is killed, proved, or differs as SAT says. Goes on where it was\n"
-      "stopped. Those of the model are tried on the leaves and the model's tests.\n"
+      "exit code is 1, as for a reason of one that is killed, proved, or called equivalent against what SAT finds. Goes\n"
+      "on where it was stopped. Those of the model are tried on the leaves and the model's tests.\n"
       "Example: feline mutate --stage walk,plan --count 2000 --output mutants");
   CLI::Option* const stage = command
                                  ->add_option("--stage", options->stages,

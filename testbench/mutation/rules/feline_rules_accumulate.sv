@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What reaches accumulate: a beat stays until it is taken; a pixel's probes from first to last, of weights that sum to
-// one (test weight_rows_sum_to_one; leaf walk.probe_weight); colours of at most 255 (leaf filter.texels).
+// one (test weight_rows_sum_to_one; leaf walk.probe_weight); colours of at most 255 (leaf filter.texels); nothing unsupported
+// in the full configuration.
 `default_nettype none
 
 module feline_rules_accumulate (
@@ -40,7 +41,8 @@ module feline_rules_accumulate (
 
   assign legal_o = (!held_q || (filter_valid_i && filter_i == filter_q)) &&
                    (!filter_valid_i || (channel_legal == '1 && filter_i.first == !begun_q && sum <= One &&
-                                        (!filter_i.last || sum == One)));
+                                        (!filter_i.last || sum == One) &&
+                                        !filter_i.status[feline_pkg::StatusUnsupported]));
 endmodule
 
 `default_nettype wire

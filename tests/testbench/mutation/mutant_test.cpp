@@ -59,6 +59,22 @@ TEST(mutation_mutant, other_sites_stay_as_they_are) {
   EXPECT_THROW(instrument(netlist(), "other", nullptr, false), std::runtime_error);
 }
 
+TEST(mutation_mutant, ports_are_sites_when_they_are_wanted) {
+  EXPECT_EQ(instrument(netlist(), "top", nullptr, false).ports.size(), 3U);
+  const std::vector<std::uint32_t> only{6, 8};
+  const InstrumentedStage stage = instrument(netlist(), "top", &only, true);
+  ASSERT_EQ(stage.ports.size(), 3U);
+  EXPECT_EQ(stage.ports[0].port, "a_i");
+  EXPECT_EQ(stage.ports[0].number, 6U);
+  const auto& module = stage.netlist["modules"]["top"];
+  // What comes in passes the site; what goes out does, too.
+  EXPECT_EQ(module["cells"]["mutation_6"]["connections"]["data_i"], module["ports"]["a_i"]["bits"]);
+  EXPECT_EQ(module["cells"]["mutation_6"]["connections"]["data_o"], nlohmann::ordered_json::parse("[3, 4, 5, 6]"));
+  EXPECT_FALSE(module["cells"].contains("mutation_7"));
+  EXPECT_EQ(module["cells"]["mutation_8"]["connections"]["data_i"], nlohmann::ordered_json::parse("[14]"));
+  EXPECT_EQ(module["cells"]["mutation_8"]["connections"]["data_o"], module["ports"]["z_o"]["bits"]);
+}
+
 TEST(mutation_mutant, mutants_differ_and_follow_from_the_seed) {
   const auto sites = instrument(netlist(), "top", nullptr, false).sites;
   const auto all = draw_mutants(sites, 100000, 1);

@@ -51,16 +51,18 @@ TEST(mutation_report, tells_what_nothing_is_known_of) {
 }
 
 TEST(mutation_report, a_reason_of_what_is_killed_or_proved_is_stale) {
-  std::vector<Fate> fates(5);
+  std::vector<Fate> fates(6);
   for (std::size_t i = 0; i < fates.size(); ++i) fates[i].name = std::string(1, static_cast<char>('a' + i));
   fates[0].tier = "smoke";
   fates[1].logic = Fate::Logic::kUnobserved;
   fates[3].differs = "x_i 0x1";
   fates[4].differs = "x_i 0x1";
-  const KnownSurvivors known = read(R"({"walk": [{"reason": "r", "mutants": ["a", "b", "c", "e"]}]})");
+  fates[5].differs = "x_i 0x1";
+  const KnownSurvivors known = read(
+      R"({"walk": [{"reason": "equivalent: r", "mutants": ["a", "b", "c", "e"]}, {"reason": "r", "mutants": ["f"]}]})");
   const StageResult result = judge("walk", 4, fates, known);
   EXPECT_EQ(result.stale, (std::vector<std::string>{"a", "b", "e"}));
-  EXPECT_EQ(result.known, (std::map<std::string, std::string>{{"c", "r"}}));
+  EXPECT_EQ(result.known, (std::map<std::string, std::string>{{"c", "equivalent: r"}, {"f", "r"}}));
   EXPECT_EQ(result.open, (std::vector<std::string>{"d (differs: x_i 0x1)", "e (differs: x_i 0x1)"}));
   EXPECT_NE(to_text({result}, {"smoke"}).find("STALE REASON: walk: b\n"), std::string::npos);
 }
