@@ -143,6 +143,8 @@ class Steered {
     }
     std::ranges::sort(steps);
     std::vector<std::uint8_t*> texels;
+    // At an edge alpha is to come to one step alone.
+    if (at_edge_ && (steps.empty() || steps.front().first > F::kChannel.fraction_bits)) return texels;
     for (std::size_t i = 0; i < std::min(kFree, steps.size()); ++i) texels.push_back(steps[i].second);
     return texels;
   }
