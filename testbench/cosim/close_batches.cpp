@@ -55,6 +55,8 @@ SamplerOptions blending_sampler(SplitMix64& random, bool at_edge) {
   options.level_bias = plain.level_bias;
   options.min_level = plain.min_level;
   options.max_level = plain.max_level;
+  // Of three probes the middle one has most of the weight.
+  if (random.below(4) == 0) options.max_probes = std::min(3, kUnit.max_probes);
   return options;
 }
 

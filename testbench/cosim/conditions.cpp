@@ -30,6 +30,12 @@ Conditions random_conditions(SplitMix64& random) {
   if (random.below(3) == 0) {
     for (StallPattern& pattern : conditions.stalls) pattern = random_pattern(random);
   }
+  // A memory that answers at once behind pixels that are left standing: what has waited for a line waits on with it.
+  if (random.below(8) == 0) {
+    conditions.memory_latency = 1;
+    conditions.stalls = {};
+    conditions.at(Port::kPixel) = {0.2, 40};
+  }
   if (random.below(4) == 0) conditions.resets = 1.0 / (16 << random.below(8));
   return conditions;
 }

@@ -41,12 +41,13 @@ void Cosimulation::begin(const Batch& batch) {
   unit_->set_sampler(sampler);
   const bool first = batches_++ == 0;
   const bool follows = std::exchange(same_texture_, batch.same_texture_follows);
-  // Reset once, at power-up; afterwards a batch only forgets the lines of the texture before it.
+  // Reset at power-up; afterwards a batch forgets the lines of the texture before it, which a reset does, too.
+  const bool resets = first || batches_ / 2 % 4 == 1;
   for (int i = 0; i < 2 && (first || !follows); ++i) {
     wave_cycle();
     RtlUnit::Inputs inputs;
-    inputs.reset = first;
-    inputs.flush = !first;
+    inputs.reset = resets;
+    inputs.flush = !resets;
     unit_->cycle(inputs);
     ++cycle_;
   }
@@ -175,7 +176,8 @@ bool Cosimulation::run(const Batch& batch, const PixelSink& sink) {
     unit_->cycle(inputs);
 
     const RtlUnit::Outputs outputs = unit_->outputs();
-    pace_ = (pace_ ^ outputs.taken) * 0x100000001b3;  // FNV-1a
+    const bool asks = outputs.memory_request_valid && inputs.memory_request_ready;
+    pace_ = (pace_ ^ (outputs.taken | unsigned{asks} << kStageCount)) * 0x100000001b3;  // FNV-1a
     bool holds = true;
     for (std::size_t index = 0; index < kStageCount && holds; ++index) {
       if ((outputs.taken >> index & 1) == 0) continue;

@@ -60,7 +60,7 @@ class Cosimulation {
   std::uint64_t cycles() const { return cycle_; }
   std::uint64_t memory_reads() const { return memory_reads_; }
   std::uint64_t resets() const { return resets_; }
-  // A hash of which stages gave a beat in which cycle.
+  // A hash of which stages gave a beat, and whether the memory was asked, in which cycle.
   std::uint64_t pace() const { return pace_; }
 
  private:

@@ -107,10 +107,15 @@ Lookup patterned(SplitMix64& random, int width, int height, std::uint64_t number
   return lookup;
 }
 
+// One tile more than the cache has columns or rows of, on some level: where such a texture repeats, tiles beside one
+// another share a place in the cache.
+int side_of_crowded_tiles(SplitMix64& random) { return static_cast<int>((17 + random.below(4)) << random.below(3)); }
+
 int random_side(SplitMix64& random) {
-  switch (random.below(4)) {
+  switch (random.below(5)) {
     case 0: return 1 << random.below(7);
     case 1: return 1 + static_cast<int>(random.below(5));
+    case 2: return side_of_crowded_tiles(random);
     default: return 1 + static_cast<int>(random.below(90));
   }
 }
@@ -123,7 +128,14 @@ int long_side(SplitMix64& random, int largest) {
 }
 int short_side(SplitMix64& random) { return 1 + static_cast<int>(random.below(random.below(2) != 0 ? 3 : 12)); }
 
-Texture random_texture(SplitMix64& random) {
+// A texture without its texels.
+struct Shape {
+  TexelFormat format;
+  bool srgb;
+  int width, height, levels;
+};
+
+Shape random_shape(SplitMix64& random) {
   constexpr int kLargest = 1 << kUnit.max_size_log2;
   const auto format = static_cast<TexelFormat>(random.below(3));
   const bool srgb = random.below(2) != 0;
@@ -149,7 +161,7 @@ Texture random_texture(SplitMix64& random) {
   }
   constexpr int kLevels = kUnit.max_size_log2 + 1;
   const int levels = random.below(4) == 0 ? 1 + static_cast<int>(random.below(kLevels)) : kLevels;
-  return random_texture(random, format, srgb, width, height, levels);
+  return {format, srgb, width, height, levels};
 }
 
 template <typename T>
@@ -230,8 +242,12 @@ RandomBatches::RandomBatches(std::uint64_t seed, std::uint64_t batch_lookups)
 Batch RandomBatches::make(std::uint64_t number, std::uint64_t lookups) {
   if (loaded_ != number / 2) {
     loaded_ = number / 2;
-    SplitMix64 random(derived_seed(derived_seed(seed_, 1), number / 2));
-    texture_ = random_texture(random);
+    SplitMix64 texels(derived_seed(derived_seed(seed_, 1), *loaded_));
+    // Some lie where the one before lay, whose lines nothing may remember.
+    const bool is_as_before = *loaded_ % 2 != 0 && texels.below(4) == 0;
+    SplitMix64 random(derived_seed(derived_seed(seed_, 2), *loaded_ - (is_as_before ? 1 : 0)));
+    const Shape shape = random_shape(random);
+    texture_ = random_texture(texels, shape.format, shape.srgb, shape.width, shape.height, shape.levels);
     memory_ = layout_texture(texture_, anywhere_ ? any_place(random, texture_) : 0);
   }
   SplitMix64 random(derived_seed(seed_, number));

@@ -210,7 +210,8 @@ std::uint32_t looked_at(const Ports& ports, const std::string& name, bool& of_in
   constexpr std::string_view kReady = "_ready_o";
   std::string base = port_of(name);
   of_input = false;
-  // A register has one stream in and one out, without names.
+  // What a memory is given, and the valids of a register, which has one stream in and one out, without names.
+  if (base.starts_with("cut_")) return 1;
   if (base == "valid_o" || base.ends_with("_valid_o") || base == "busy_o" || base == "flush_o") return 1;
   if (base == "ready_o" || base.ends_with(kReady)) {
     of_input = true;

@@ -115,6 +115,24 @@ Elaboration elaborate_module(const std::string& module, const std::string& top,
   return flattened(read_json(file), module, file);
 }
 
+void cut_memories(Json& module) {
+  std::vector<std::string> memories;
+  for (const auto& [name, cell] : module["cells"].items()) {
+    if (cell["type"] == "$mem_v2") memories.push_back(name);
+  }
+  for (std::size_t i = 0; i < memories.size(); ++i) {
+    const Json cell = module["cells"][memories[i]];
+    for (const auto& [port, bits] : cell["connections"].items()) {
+      const bool is_read = port == "RD_DATA";
+      const bool is_given = std::ranges::any_of(bits, [](const Json& bit) { return bit.is_number(); });
+      if (port.ends_with("CLK") || !is_given) continue;
+      module["ports"][fmt::format("cut_{}_{}_{}", i, port, is_read ? "i" : "o")] = {
+          {"direction", is_read ? "input" : "output"}, {"bits", bits}};
+    }
+    module["cells"].erase(memories[i]);
+  }
+}
+
 std::string to_verilog(const Json& netlist, const std::string& top, const std::filesystem::path& directory) {
   const std::filesystem::path json = directory / "sites.json";
   const std::filesystem::path verilog = directory / (top + ".v");

@@ -38,6 +38,10 @@ std::vector<std::filesystem::path> sources_in(const std::filesystem::path& direc
 // "$flatten\u_length.$add$...".
 std::string instance_of(std::string_view cell);
 
+// A module without its memories: what they read are inputs cut_N_RD_DATA_i, what they are given outputs cut_N_PORT_o.
+// As long as two of them give the same there, their memories hold the same.
+void cut_memories(nlohmann::ordered_json& module);
+
 // The netlist's text, which is in directory/TOP.v afterwards.
 std::string to_verilog(const nlohmann::ordered_json& netlist, const std::string& top,
                        const std::filesystem::path& directory);

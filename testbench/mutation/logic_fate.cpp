@@ -75,7 +75,7 @@ void compare_logic(const StageMutants& stage, Fate::Logic wanted, const Workshop
         workshop.cache.key({same ? "same logic" : "observed", workshop.proofs, stage.text(), codes_of(part)});
     nlohmann::json verdicts = nlohmann::json::parse(workshop.cache.read(key).value_or("[]"));
     if (verdicts.size() != part.size()) {
-      if (!logic) logic = read_aiger(stage.logic(mutants));
+      if (!logic) logic = read_aiger(stage.logic(mutants, !same));
       if (!right) right = with_input(*logic, "mutant", 0);
       std::vector<Verdict> found(part.size());
       for_each_index(0, static_cast<std::int64_t>(part.size()), [&](std::int64_t i) {

@@ -157,10 +157,11 @@ bool StageMutants::in_stream(const Mutant& mutant) const {
   return place.find("/rtl/") == std::string::npos || place.find(kStreamRegister) != std::string::npos;
 }
 
-std::string StageMutants::logic(const std::vector<Mutant>& mutants) const {
+std::string StageMutants::logic(const std::vector<Mutant>& mutants, bool without_memories) const {
   const std::vector<std::uint32_t> only = site_numbers(mutants);
   const std::string top = "feline_" + stage_;
   nlohmann::ordered_json netlist = instrument(elaboration_.netlist, top, &only, true).netlist;
+  if (without_memories) cut_memories(netlist["modules"][top]);
   const std::filesystem::path package = source_ / "tables" / "generated" / "feline_pkg.sv";
   std::vector<std::filesystem::path> sources{package, source_ / "testbench" / "mutation" / "feline_mutation_site.sv"};
   if (stage_ == kUnitName) {

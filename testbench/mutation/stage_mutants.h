@@ -41,11 +41,11 @@ class StageMutants {
   // arithmetic, nor a port of data.
   bool in_stream(const Mutant& mutant) const;
 
-  // The stage's combinational logic, registers and memories cut open, as binary AIGER with the mutant as inputs
-  // mutant[0] to mutant[63]; sites other than those of `mutants` left out. With rules/feline_rules_STAGE.sv, if there
-  // is one: legal_o says that what comes in is what can come. Of the unit with all that is in its stages. Throws
-  // std::runtime_error.
-  std::string logic(const std::vector<Mutant>& mutants) const;
+  // The stage's logic with its registers as binary AIGER with the mutant as inputs mutant[0] to mutant[63]; memories
+  // are registers, or cut (cut_memories); sites other than those of `mutants` left out. With
+  // rules/feline_rules_STAGE.sv, if there is one: legal_o says that what comes in is what can come. Of the unit with
+  // all that is in its stages. Throws std::runtime_error.
+  std::string logic(const std::vector<Mutant>& mutants, bool without_memories = false) const;
 
  private:
   void write_roms(const std::vector<std::string>& names);

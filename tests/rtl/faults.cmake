@@ -64,15 +64,19 @@ endfunction()
 
 include(tests/rtl/fault_list.cmake)
 
-# What the rules of mutants say of each stage's input, watched.
+# What the rules of mutants say of each stage's input, watched; further ports that they look at may follow.
 function(feline_watch stage input has_sampler)
   set(changed "1'b0")
   if(has_sampler)
     set(sampler " .sampler_i,")
     set(changed "sampler_i != u_rules.u_sampler.sampler_q")
   endif()
+  set(others "")
+  foreach(port IN LISTS ARGN)
+    string(APPEND others " .${port},")
+  endforeach()
   feline_replace_once(feline_${stage} "endmodule" "  logic rules_legal;
-  feline_rules_${stage} u_rules (.clk_i, .rst_i,${sampler} .${input}_valid_i, .${input}_ready_o, .${input}_i,
+  feline_rules_${stage} u_rules (.clk_i, .rst_i,${sampler}${others} .${input}_valid_i, .${input}_ready_o, .${input}_i,
                                  .legal_o(rules_legal));
   feline_rules_watch u_watch (.clk_i, .rst_i, .changed_i(${changed}), .legal_i(rules_legal));
 endmodule")
@@ -83,6 +87,8 @@ feline_watch(footprint group TRUE)
 feline_watch(plan footprint TRUE)
 feline_watch(walk plan FALSE)
 feline_watch(address walk TRUE)
+feline_watch(fetch address TRUE flush_i fetch_valid_o fetch_ready_i memory_request_valid_o memory_request_ready_i
+             memory_response_valid_i memory_response_ready_o)
 feline_watch(accumulate filter FALSE)
 file(GLOB RULES_FILES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/testbench/mutation/rules/*.sv)
 

@@ -89,6 +89,15 @@ TEST(mutation_aiger, nothing_is_looked_at_after_an_illegal_cycle) {
   EXPECT_TRUE(differs(observed_difference(right, wrong)));
 }
 
+TEST(mutation_aiger, what_a_memory_is_given_is_looked_at) {
+  Aiger right = with_input(stage(false), "mutant", 0);
+  Aiger wrong = right;
+  right.outputs.push_back({2, "cut_0_WR_ADDR_o[1]"});
+  wrong.outputs.push_back({4, "cut_0_WR_ADDR_o[1]"});
+  EXPECT_FALSE(differs(observed_difference(right, right)));
+  EXPECT_TRUE(differs(observed_difference(right, wrong)));
+}
+
 TEST(mutation_aiger, an_output_needs_a_valid) {
   Aiger aiger = stage(false);
   aiger.outputs.push_back({2, "z_o[1]"});
