@@ -55,7 +55,7 @@ SamplerOptions blending_sampler(SplitMix64& random, bool at_edge) {
   options.level_bias = plain.level_bias;
   options.min_level = plain.min_level;
   options.max_level = plain.max_level;
-  // Of three probes the middle one has most of the weight.
+  // Of three probes the middle one has most of the weight, so that its product has every bit.
   if (random.below(4) == 0) options.max_probes = std::min(3, kUnit.max_probes);
   return options;
 }
@@ -145,7 +145,7 @@ class Steered {
     }
     std::ranges::sort(steps);
     std::vector<std::uint8_t*> texels;
-    // At an edge alpha is to come to one step alone.
+    // At an edge alpha is to come to the wanted step itself, not near it.
     if (at_edge_ && (steps.empty() || steps.front().first > F::kChannel.fraction_bits)) return texels;
     for (std::size_t i = 0; i < std::min(kFree, steps.size()); ++i) texels.push_back(steps[i].second);
     return texels;

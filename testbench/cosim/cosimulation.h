@@ -22,7 +22,7 @@ struct Batch {
   const TextureMemory* memory = nullptr;
   std::span<const Lookup> lookups;
   std::uint64_t first_lookup = 0;  // the number of lookups.front() in the run, for messages and tags
-  // The next batch has the same texture: it begins at once, and the unit is not flushed before it.
+  // The next batch has the same texture: it begins at once, and the unit is neither flushed nor reset before.
   bool same_texture_follows = false;
   std::optional<Conditions> conditions{};  // instead of those of the run
 };

@@ -295,7 +295,8 @@ Aiger observed_difference(const Aiger& right, const Aiger& wrong) {
   // The last latch: something was not legal.
   const std::uint32_t broken = 2 * (miter.first_latch() + 2 * latches);
   const Aiger::Output* const legal = ports.output("legal_o");
-  const std::uint32_t so_far = miter.add_gate(broken ^ 1, legal == nullptr ? 1 : both.of_right(legal->literal));
+  const std::uint32_t is_legal = legal == nullptr ? 1 : either(both.of_right(legal->literal), ports.input("rst_i"));
+  const std::uint32_t so_far = miter.add_gate(broken ^ 1, is_legal);
   miter.next[2 * latches] = so_far ^ 1;
   miter.outputs.push_back({miter.add_gate(so_far, differs), "differs"});
   return std::move(miter);

@@ -43,10 +43,9 @@ Aiger cut_latches(const Aiger& aiger);
 
 // Whether one behaves as the other to all who keep to the streams' rules: an output that is 1 when, with the same
 // inputs so far, something that is looked at differs. Outputs X_valid_o and cut_X (cut_memories) are looked at always;
-// X_ready_o while
-// X_valid_i; others, as X_o or X_line_o, while the X_valid_o of the longest X there is; all only as long as an output
-// legal_o, if there is one, was 1 in every cycle. A stream without a name is X, too: valid_o, ready_o, data_o. Of the
-// same inputs, latches and outputs. Throws std::runtime_error for an output without a valid.
+// X_ready_o while X_valid_i; others, as X_o or X_line_o, while the X_valid_o of the longest X there is; all only as
+// long as an output legal_o, if there is one, was 1 in every cycle. A stream without a name is X, too: valid_o,
+// ready_o, data_o. Of the same inputs, latches and outputs. Throws std::runtime_error for an output without a valid.
 Aiger observed_difference(const Aiger& right, const Aiger& wrong);
 
 // The port of a bit: "data_i" of "data_i[3]".

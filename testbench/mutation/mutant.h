@@ -64,7 +64,7 @@ std::vector<Mutant> rom_mutants(const std::vector<Rom>& roms);
 struct InstrumentedStage {
   nlohmann::ordered_json netlist;
   std::vector<Site> sites;
-  std::vector<Site> ports;        // the stage's own, after the sites; only those of `only` have one
+  std::vector<Site> ports;        // the stage's own, numbered after `sites`; a mutant can be at those of `only` alone
   std::vector<std::string> roms;  // names of the ROMs it is made of
 };
 

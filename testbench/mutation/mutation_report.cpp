@@ -12,8 +12,9 @@
 namespace feline::mutation {
 namespace {
 
-// What a reason begins with that a beat which comes out otherwise refutes.
-constexpr std::string_view kEquivalent = "equivalent";
+// What a reason begins with. A beat that comes out otherwise refutes the first.
+constexpr std::string_view kEquivalent = "equivalent: ";
+constexpr std::string_view kUnseen = "nothing can be seen: ";
 
 // Rounded down, so that only all of them are 100 %.
 std::string percent(std::size_t part, std::size_t whole) {
@@ -54,9 +55,12 @@ KnownSurvivors read_known_survivors(const std::filesystem::path& file) {
   for (const auto& [stage, groups] : json.items()) {
     for (const auto& group : groups) {
       const bool whole = group.is_object() && group.contains("reason") && group["reason"].is_string() &&
-                         !group["reason"].get<std::string>().empty() && group.contains("mutants") &&
-                         group["mutants"].is_array();
+                         group.contains("mutants") && group["mutants"].is_array();
       if (!whole) bad_input(file.string(), stage, group.dump(), kLegal);
+      const std::string reason = group["reason"];
+      if (!reason.starts_with(kEquivalent) && !reason.starts_with(kUnseen)) {
+        bad_input(file.string(), stage, reason, fmt::format("\"{}...\" or \"{}...\"", kEquivalent, kUnseen));
+      }
       for (const auto& mutant : group["mutants"]) {
         if (!mutant.is_string() || !known[stage].emplace(mutant, group["reason"]).second) {
           bad_input(file.string(), stage, mutant.dump(), "each mutant once");

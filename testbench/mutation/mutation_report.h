@@ -13,8 +13,8 @@
 namespace feline::mutation {
 
 // Survivors without a proof that have a reason all the same: of each stage, by the mutant's description, the reason.
-// One that begins with "equivalent" is refuted by a beat that comes out otherwise (Fate::differs); any other one says
-// why nobody can see what differs.
+// One that begins with "equivalent: " is refuted by a beat that comes out otherwise (Fate::differs); one that begins
+// with "nothing can be seen: " says why nobody can see what differs.
 using KnownSurvivors = std::map<std::string, std::map<std::string, std::string>>;
 
 // {"walk": [{"reason": "...", "mutants": ["...", ...]}, ...], ...}. Throws InputError naming the file, the field and

@@ -150,8 +150,8 @@ void add_mutate(CLI::App& program, int& exit_code) {
       "build of a stage runs all of its mutants. Those that the first trial does not kill are tried over the domains\n"
       "of the stage's leaves (feline prove) and compared with the stage by SAT (Debian packages yosys and cadical);\n"
       "what is neither killed nor proved the same must be in testbench/mutation/survivors.json with a reason, or the\n"
-      "exit code is 1, as for a reason of one that is killed, proved, or called equivalent against what SAT finds. Goes\n"
-      "on where it was stopped. Those of the model are tried on the leaves and the model's tests.\n"
+      "exit code is 1, as for a reason of one that is killed, proved, or called equivalent against what SAT finds.\n"
+      "Goes on where it was stopped. Those of the model are tried on the leaves and the model's tests.\n"
       "Example: feline mutate --stage walk,plan --count 2000 --output mutants");
   CLI::Option* const stage = command
                                  ->add_option("--stage", options->stages,

@@ -95,7 +95,7 @@ TEST(footprint, length_is_monotonic_and_the_printed_one_is_not) {
 
 // In every cell of the table: with m the longer mantissa, each part of the vector is at most m (2 uvScale + uvScale90)
 // in units of 1/256, and the radius at least m majorRadius - 1/2 in units of 1/128. Elsewhere it is m against m.
-TEST(footprint, no_vector_is_twice_its_radius) {
+TEST(footprint, no_vector_is_longer_than_twice_its_radius) {
   for (const std::uint64_t word : roms<kDefaultConfig>().ellipse.words) {
     const EllipseEntry entry = ellipse_entry(kDefaultConfig, word);
     EXPECT_LE(2 * entry.uv_scale + entry.uv_scale_90 + 2, 4 * entry.major_radius) << word;

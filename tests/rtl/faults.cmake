@@ -80,6 +80,11 @@ function(feline_watch stage input has_sampler)
                                  .legal_o(rules_legal));
   feline_rules_watch u_watch (.clk_i, .rst_i, .changed_i(${changed}), .legal_i(rules_legal));
 endmodule")
+  # Unlike a fault, rules that nobody watches would break no test.
+  file(READ ${FAULTY_DIR}/feline_${stage}.sv text)
+  if(NOT text MATCHES "feline_rules_watch")
+    message(FATAL_ERROR "tests/rtl/faults.cmake: feline_${stage}.sv is not watched")
+  endif()
 endfunction()
 
 feline_watch(group request TRUE)

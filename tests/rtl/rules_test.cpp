@@ -53,5 +53,17 @@ TEST(rules, weights_that_do_not_sum_to_one_are_counted) {
   EXPECT_GT(broken_with("column_one_low", lookup), 0U);
 }
 
+TEST(rules, a_flush_with_lookups_inside_is_counted) {
+  Bench bench(make_faulty_unit);
+  take_broken_rules();
+  bench.run(40, false);
+  EXPECT_EQ(take_broken_rules(), 0U);
+  RtlUnit::Inputs inputs;
+  inputs.flush = true;
+  bench.unit->cycle(inputs);
+  bench.unit->cycle({});
+  EXPECT_GT(take_broken_rules(), 0U);
+}
+
 }  // namespace
 }  // namespace feline

@@ -149,14 +149,13 @@ TEST(cosim, sums_that_all_but_round_the_other_way) {
   std::uint64_t alpha = 0;
   for (std::size_t i = 0; i < batches.size(); ++i) {
     for (std::size_t channel = 0; channel < 4; ++channel) close += std::abs(batches.distance(i, channel)) < 64 ? 1U : 0;
-    const std::int64_t of_alpha = batches.distance(i, 3);
-    alpha += i % 2 != 0 && (of_alpha == 0 || of_alpha == -1) ? 1U : 0;
+    alpha += i % 2 != 0 && batches.distance(i, 3) == -1 ? 1U : 0;
     ASSERT_TRUE(simulation.run(batches[i])) << i;
   }
   // Of the rest no four texels have a step that is fine enough.
   EXPECT_GT(close, 2 * kLookups);
-  // At every other edge, borders adding fractions of codes.
-  EXPECT_GE(alpha, kLookups / 6);
+  // Where whole codes do not come to: borders add fractions of them.
+  EXPECT_GE(alpha, kLookups / 16);
 }
 
 TEST(cosim, strips_are_of_every_length_and_some_rows_of_tiles) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What reaches fetch: a beat stays until it is taken; flushes come while nothing is inside; the memory answers what it was
-// asked, and its answer waits; nothing unsupported in the full configuration.
+// What reaches fetch: a beat stays until it is taken; flushes come while nothing is inside; the memory answers what it
+// was asked, from the same cycle on, and its answer waits; nothing unsupported in the full configuration.
 `default_nettype none
 
 module feline_rules_fetch (
@@ -21,10 +21,13 @@ module feline_rules_fetch (
 );
   logic                 held_q;
   logic                 answer_held_q;
+  logic                 asks;
   logic                 asked_q;
   logic [1:0]           inside_q;  // fetch has two registers
   feline_pkg::address_t address_q;
   logic                 sampler_legal;
+
+  assign asks = memory_request_valid_o && memory_request_ready_i;
 
   always_ff @(posedge clk_i) begin
     held_q        <= !rst_i && address_valid_i && !address_ready_o;
@@ -34,7 +37,7 @@ module feline_rules_fetch (
       asked_q  <= 1'b0;
       inside_q <= '0;
     end else begin
-      if (memory_request_valid_o && memory_request_ready_i) begin
+      if (asks) begin
         asked_q <= 1'b1;
       end else if (memory_response_valid_i && memory_response_ready_o) begin
         asked_q <= 1'b0;
@@ -46,8 +49,8 @@ module feline_rules_fetch (
   feline_rules_sampler u_sampler (.clk_i, .rst_i, .sampler_i, .legal_o(sampler_legal));
 
   assign legal_o = sampler_legal && (!held_q || (address_valid_i && address_i == address_q)) &&
-                   (!flush_i || (!address_valid_i && inside_q == '0)) && (!memory_response_valid_i || asked_q) &&
-                   (!answer_held_q || memory_response_valid_i) &&
+                   (!flush_i || (!address_valid_i && inside_q == '0)) &&
+                   (!memory_response_valid_i || asked_q || asks) && (!answer_held_q || memory_response_valid_i) &&
                    (!address_valid_i || !address_i.status[feline_pkg::StatusUnsupported]);
 endmodule
 

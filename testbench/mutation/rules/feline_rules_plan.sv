@@ -2,7 +2,7 @@
 // What reaches plan: a beat stays until it is taken; the minor radius is not larger than the major one, which is 0 or at
 // least 64 (leaves footprint.*), 0 under the least exponent alone (leaf group.align); without probes along a line both
 // are one (leaf footprint.isotropic); no vector is longer than twice its radius (test
-// footprint.no_vector_is_twice_its_radius); nothing unsupported in the full configuration.
+// footprint.no_vector_is_longer_than_twice_its_radius); nothing unsupported in the full configuration.
 `default_nettype none
 
 module feline_rules_plan (

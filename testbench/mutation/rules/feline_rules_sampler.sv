@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What every stage may count on: a legal sampler state (tables/sampler_state.h, model/sampler.h) of the default
-// configuration, that stays. A driver changes it while nothing is inside, when only registers that are not valid are left.
+// configuration, that stays from reset to reset. A driver also changes it while nothing is inside: what is left then
+// are registers that are not valid, and the lines of fetch, which no sampler state has a part in.
 `default_nettype none
 
 module feline_rules_sampler (

@@ -89,6 +89,22 @@ TEST(mutation_aiger, nothing_is_looked_at_after_an_illegal_cycle) {
   EXPECT_TRUE(differs(observed_difference(right, wrong)));
 }
 
+TEST(mutation_aiger, nothing_is_illegal_in_a_reset) {
+  Aiger right = with_input(stage(false), "mutant", 0);
+  Aiger wrong = with_input(stage(false), "mutant", 2);
+  for (Aiger* const aiger : {&right, &wrong}) {
+    aiger->outputs.push_back({0, "legal_o"});
+    aiger->inputs.back() = "rst_i";
+  }
+  const Aiger miter = observed_difference(right, wrong);
+  for (const bool reset : {false, true}) {
+    Simulator simulator(miter);
+    bool is_seen = false;
+    for (int cycle = 0; cycle < 3; ++cycle) is_seen = simulator.cycle({true, true, false, reset})[0] || is_seen;
+    EXPECT_EQ(is_seen, reset);
+  }
+}
+
 TEST(mutation_aiger, what_a_memory_is_given_is_looked_at) {
   Aiger right = with_input(stage(false), "mutant", 0);
   Aiger wrong = right;

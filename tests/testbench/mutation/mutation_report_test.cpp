@@ -19,14 +19,15 @@ KnownSurvivors read(const std::string& text) {
 }
 
 TEST(mutation_report, survivors_have_reasons) {
-  const KnownSurvivors known = read(R"({"walk": [{"reason": "r", "mutants": ["a", "b"]}], "plan": []})");
-  EXPECT_EQ(known.at("walk").at("b"), "r");
+  const KnownSurvivors known = read(R"({"walk": [{"reason": "equivalent: r", "mutants": ["a", "b"]}], "plan": []})");
+  EXPECT_EQ(known.at("walk").at("b"), "equivalent: r");
   EXPECT_THROW(read("[1]"), InputError);
   EXPECT_THROW(read("{"), InputError);
   EXPECT_THROW(read(R"({"walk": [{"reason": "", "mutants": ["a"]}]})"), InputError);
+  EXPECT_THROW(read(R"({"walk": [{"reason": "the same", "mutants": ["a"]}]})"), InputError);
   EXPECT_THROW(read(R"({"walk": [{"mutants": ["a"]}]})"), InputError);
-  EXPECT_THROW(read(R"({"walk": [{"reason": "r", "mutants": ["a", "a"]}]})"), InputError);
-  EXPECT_THROW(read(R"({"walk": [{"reason": "r", "mutants": [1]}]})"), InputError);
+  EXPECT_THROW(read(R"({"walk": [{"reason": "equivalent: r", "mutants": ["a", "a"]}]})"), InputError);
+  EXPECT_THROW(read(R"({"walk": [{"reason": "equivalent: r", "mutants": [1]}]})"), InputError);
   EXPECT_THROW(read_known_survivors("/nowhere/survivors.json"), InputError);
 }
 
@@ -59,10 +60,12 @@ TEST(mutation_report, a_reason_of_what_is_killed_or_proved_is_stale) {
   fates[4].differs = "x_i 0x1";
   fates[5].differs = "x_i 0x1";
   const KnownSurvivors known = read(
-      R"({"walk": [{"reason": "equivalent: r", "mutants": ["a", "b", "c", "e"]}, {"reason": "r", "mutants": ["f"]}]})");
+      R"({"walk": [{"reason": "equivalent: r", "mutants": ["a", "b", "c", "e"]},
+                   {"reason": "nothing can be seen: r", "mutants": ["f"]}]})");
   const StageResult result = judge("walk", 4, fates, known);
   EXPECT_EQ(result.stale, (std::vector<std::string>{"a", "b", "e"}));
-  EXPECT_EQ(result.known, (std::map<std::string, std::string>{{"c", "equivalent: r"}, {"f", "r"}}));
+  EXPECT_EQ(result.known,
+            (std::map<std::string, std::string>{{"c", "equivalent: r"}, {"f", "nothing can be seen: r"}}));
   EXPECT_EQ(result.open, (std::vector<std::string>{"d (differs: x_i 0x1)", "e (differs: x_i 0x1)"}));
   EXPECT_NE(to_text({result}, {"smoke"}).find("STALE REASON: walk: b\n"), std::string::npos);
 }

@@ -28,12 +28,15 @@ TEST(port_fate_long, what_a_stage_never_gets_makes_no_difference) {
   // but small ones.
   const std::uint32_t unsupported = plan.width - 18;
   const Site& texels = port_of_stage(unit, "feline_filter", "fetch_i");
+  const Site& address = port_of_stage(unit, "feline_fetch", "address_i");
   std::vector<Fate> fates;
   fates.push_back({{plan.number, Kind::kZero, unsupported, 0}, "never one"});
   fates.push_back({{plan.number, Kind::kOne, unsupported, 0}, "always one"});
   fates.push_back({{texels.number, Kind::kInvert, 0, 0}, "another texel"});
   fates.push_back({{texels.number, Kind::kInvert, 0, 0}, "killed"});
   fates.back().tier = "smoke";
+  // Of fetch, whose memories are too large to follow.
+  fates.push_back({{address.number, Kind::kZero, address.width - 18, 0}, "never one"});
   prove_ports(unit, workshop, fates);
   EXPECT_TRUE(fates[0].proved());
   EXPECT_FALSE(fates[1].proved());
@@ -41,6 +44,7 @@ TEST(port_fate_long, what_a_stage_never_gets_makes_no_difference) {
   EXPECT_NE(fates[2].differs, "");
   EXPECT_FALSE(fates[3].proved());
   EXPECT_EQ(fates[3].differs, "");
+  EXPECT_TRUE(fates[4].proved());
 }
 
 }  // namespace

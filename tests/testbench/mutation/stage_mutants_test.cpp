@@ -49,6 +49,12 @@ TEST(stage_mutants_long, tells_what_may_touch_a_stream) {
     }
   }
   EXPECT_GT(in_stream, 10U);
+  std::set<std::string> ports;
+  for (const Site& port : stage.ports()) {
+    if (stage.in_stream({port.number, Kind::kOne, 0, 0})) ports.insert(port.port);
+  }
+  EXPECT_EQ(ports,
+            (std::set<std::string>{"rst_i", "request_valid_i", "request_ready_o", "group_valid_o", "group_ready_i"}));
 }
 
 }  // namespace
