@@ -6,8 +6,8 @@
 //        that stage k's beat is valid, bit k of taken_o that it is transferred in this cycle. The fingerprint of
 //        configuration, formats and beats.
 // Edges  back-pressure anywhere, at any cycle. flush_i, only while not busy_o, forgets the texture's lines. rst_i, at any
-//        cycle, forgets every lookup inside; the memory forgets what was asked of it in the same cycle. A line is taken
-//        in the cycle in which it comes, if that is later than its request.
+//        cycle, forgets every lookup inside; the memory forgets what was asked of it in the same cycle. A memory
+//        response is taken in the cycle in which it comes, if that is later than its request.
 // Timing one probe a cycle while its lines are in the cache. accumulate_ready_i does not reach request_ready_o within
 //        the cycle.
 // Source WRL 99/1, 3 (Feline); CS248A lecture 4 (texture unit).
@@ -124,9 +124,9 @@ module feline_unit (
   assign taken_o   = offered_o & {accumulate_ready_i, filter_ready, fetch_ready, address_ready, walk_ready, plan_ready,
                                   footprint_ready, group_ready};
 
-  // Lookups in flight: requests taken less pixels taken. No register holds beats of two: two in group, three in
-  // footprint, five in plan, one in walk, two in the spill register, four in address, two in fetch, three in filter, two
-  // in accumulate.
+  // Lookups in flight: requests taken less pixels taken. At most one in each register: two in group, three in footprint,
+  // five in plan, one in walk, two in the spill register, four in address, two in fetch, three in filter, two in
+  // accumulate.
   localparam int unsigned MostInFlight  = 2 + 3 + 5 + 1 + 2 + 4 + 2 + 3 + 2;
   localparam int unsigned InFlightWidth = $clog2(MostInFlight + 1);
 

@@ -41,9 +41,8 @@ void Cosimulation::begin(const Batch& batch) {
   unit_->set_sampler(sampler);
   const bool first = batches_++ == 0;
   const bool follows = std::exchange(same_texture_, batch.same_texture_follows);
-  // Reset at power-up; afterwards a batch only forgets the lines of the texture before it, a fourth of them by another
-  // reset: both meet textures that lie where the one before lay (RandomBatches).
-  const bool resets = first || batches_ / 2 % 4 == 1;
+  // Reset at power-up; afterwards a batch only forgets the lines of the texture before it.
+  const bool resets = first || batch.begins_with_reset;
   for (int i = 0; i < 2 && (first || !follows); ++i) {
     wave_cycle();
     RtlUnit::Inputs inputs;
@@ -82,7 +81,7 @@ bool Cosimulation::check_protocol(const RtlUnit::Outputs& outputs, const RtlUnit
     return fail(Stage::kFetch, "a memory request changed or went away before it was taken");
   }
   if (inputs.memory_response_valid && !outputs.memory_response_ready) {
-    return fail(Stage::kFetch, "a line of memory is not taken when it comes");
+    return fail(Stage::kFetch, "a memory response is not taken in the cycle in which it comes");
   }
   for (std::size_t index = 0; index < kStageCount; ++index) {
     const auto stage = static_cast<Stage>(index);
@@ -103,7 +102,8 @@ bool Cosimulation::check_protocol(const RtlUnit::Outputs& outputs, const RtlUnit
 
 bool Cosimulation::check_busy(const RtlUnit::Outputs& outputs, std::uint64_t entered) {
   if (outputs.busy == (inside_ != 0)) return true;
-  // Whoever counts no more than can be inside, and rightly so, counts wrong when lookups get lost, which is the fault.
+  // Whoever counts no more than can be inside (MostInFlight of feline_unit), and rightly so, counts wrong when lookups
+  // get lost, which is the fault.
   constexpr std::uint64_t kMany = 24;
   if (inside_ > kMany && scoreboard_.blame_stopped(outputs.offered, entered, cycle_)) return false;
   return fail(Stage::kGroup, "busy_o does not say whether lookups are inside");

@@ -25,6 +25,7 @@ struct Batch {
   // The next batch has the same texture: it begins at once, and the unit is neither flushed nor reset before.
   bool same_texture_follows = false;
   std::optional<Conditions> conditions{};  // instead of those of the run
+  bool begins_with_reset = false;          // the lines of the texture before it are forgotten by one, not by a flush
 };
 
 struct Timing {

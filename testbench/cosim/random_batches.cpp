@@ -108,14 +108,14 @@ Lookup patterned(SplitMix64& random, int width, int height, std::uint64_t number
 }
 
 // One tile more than the cache has columns or rows of, on some level: where such a texture repeats, tiles beside one
-// another share a place in the cache.
-int side_of_crowded_tiles(SplitMix64& random) { return static_cast<int>((17 + random.below(4)) << random.below(3)); }
+// another are of the same set.
+int side_with_set_conflicts(SplitMix64& random) { return static_cast<int>((17 + random.below(4)) << random.below(3)); }
 
 int random_side(SplitMix64& random) {
   switch (random.below(5)) {
     case 0: return 1 << random.below(7);
     case 1: return 1 + static_cast<int>(random.below(5));
-    case 2: return side_of_crowded_tiles(random);
+    case 2: return side_with_set_conflicts(random);
     default: return 1 + static_cast<int>(random.below(90));
   }
 }
@@ -260,7 +260,9 @@ Batch RandomBatches::make(std::uint64_t number, std::uint64_t lookups) {
     lookups_.push_back(i % 8 == 7 ? patterned(random, width, height, i / 8) : random_lookup(random, width, height));
   }
   const bool follows = number % 2 == 0 && first + batch_lookups_ < lookups;
-  Batch batch{make_sampler<kUnit>(options_, texture_, memory_), &memory_, lookups_, first, follows, {}};
+  // Of the textures that lie where the one before lay, half meet a flush and half a reset.
+  const bool resets = *loaded_ % 4 == 1;
+  Batch batch{make_sampler<kUnit>(options_, texture_, memory_), &memory_, lookups_, first, follows, {}, resets};
   if (vary_) batch.conditions = random_conditions(random);
   return batch;
 }

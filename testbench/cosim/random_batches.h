@@ -20,7 +20,7 @@ Lookup random_lookup(SplitMix64& random, int width, int height);
 // whose every value each operand has within kPatternPeriod lookups. Two batches after one another share a texture: the
 // second begins at once, under another sampler. Textures: every format, sRGB, powers of two and not, 1 x 1, 1 x N,
 // N x 1, strips up to 16384 long; full and cut mip chains; anywhere in the unit's memory, some of them where the one
-// before lay.
+// before lay; some batches begin with a reset.
 class RandomBatches {
  public:
   static constexpr std::uint64_t kPatternPeriod = std::uint64_t{8} * 6 * kFloatPatterns;

@@ -53,7 +53,7 @@ void try_mutants(const StageMutants& stage, const std::vector<std::string>& tier
   command.insert(command.end(), tiers.begin(), tiers.end());
   std::vector<Fate*> open;
   for (Fate& fate : fates) {
-    if (fate.tier.empty() && !fate.proved()) open.push_back(&fate);
+    if (fate.is_open()) open.push_back(&fate);
   }
   Progress progress(fmt::format("{}: {}", stage.stage(), fmt::join(tiers, ", ")), open.size());
   progress.show();

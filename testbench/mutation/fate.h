@@ -26,6 +26,8 @@ struct Fate {
   enum class Logic : std::uint8_t { kUnknown, kSame, kUnobserved } logic = Logic::kUnknown;
   std::string differs{};  // a legal beat that comes out otherwise, says SAT, but none that was tried did
   bool proved() const { return logic != Logic::kUnknown; }
+  // Neither killed nor proved the same.
+  bool is_open() const { return tier.empty() && !proved(); }
 };
 
 // A line of each mutant's code.

@@ -32,7 +32,7 @@ void try_leaf(const StageMutants& stage, std::string_view wrapper, const std::ve
   std::vector<Mutant> mutants;
   for (Fate& fate : fates) {
     const auto mutant = in_leaf.in_leaf(fate.mutant);
-    if (!fate.tier.empty() || fate.proved() || !mutant) continue;
+    if (!fate.is_open() || !mutant) continue;
     open.push_back(&fate);
     mutants.push_back(*mutant);
   }
@@ -68,7 +68,7 @@ void try_leaf(const StageMutants& stage, std::string_view wrapper, const std::ve
       }
     }
     for (std::size_t i = open.size(); i-- > 0;) {
-      if (open[i]->tier.empty() && !open[i]->proved()) continue;
+      if (open[i]->is_open()) continue;
       open.erase(open.begin() + static_cast<std::ptrdiff_t>(i));
       mutants.erase(mutants.begin() + static_cast<std::ptrdiff_t>(i));
     }

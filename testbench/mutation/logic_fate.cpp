@@ -58,7 +58,7 @@ void compare_logic(const StageMutants& stage, Fate::Logic wanted, const Workshop
   std::vector<Fate*> open;
   std::vector<Mutant> mutants;
   for (Fate& fate : fates) {
-    if (!fate.tier.empty() || fate.proved() || fate.mutant.kind == Kind::kRomBit) continue;
+    if (!fate.is_open() || fate.mutant.kind == Kind::kRomBit) continue;
     open.push_back(&fate);
     mutants.push_back(fate.mutant);
   }

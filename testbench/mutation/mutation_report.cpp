@@ -88,7 +88,7 @@ StageResult judge(const std::string& stage, std::size_t sites, std::vector<Fate>
     const bool has_reason = reasons != known.end() && reasons->second.contains(fate.name);
     const bool is_refuted =
         has_reason && !fate.differs.empty() && reasons->second.at(fate.name).starts_with(kEquivalent);
-    if (has_reason && (!fate.tier.empty() || fate.proved() || is_refuted)) result.stale.push_back(fate.name);
+    if (has_reason && (!fate.is_open() || is_refuted)) result.stale.push_back(fate.name);
     if (!fate.tier.empty()) {
       ++result.killed[fate.tier];
       if (fate.milliseconds > 0) times.push_back(fate.milliseconds);  // not of what is inferred

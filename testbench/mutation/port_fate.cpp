@@ -29,7 +29,7 @@ void prove_ports(const StageMutants& unit, const Workshop& workshop, std::vector
     const std::string module = fmt::format("feline_{}", name);
     std::vector<Fate*> open;
     for (Fate& fate : fates) {
-      if (!fate.tier.empty() || fate.proved() || fate.mutant.kind == Kind::kRomBit) continue;
+      if (!fate.is_open() || fate.mutant.kind == Kind::kRomBit) continue;
       if (unit.sites()[fate.mutant.site - 1].type == module) open.push_back(&fate);
     }
     if (open.empty()) continue;

@@ -31,7 +31,7 @@ void prove_register(const StageMutants& stage, const std::string& module, const 
   std::vector<Mutant> mutants;
   for (Fate& fate : fates) {
     const auto site = sites.find(fate.mutant.site);
-    if (!fate.tier.empty() || fate.proved() || fate.mutant.kind == Kind::kRomBit || site == sites.end()) continue;
+    if (!fate.is_open() || fate.mutant.kind == Kind::kRomBit || site == sites.end()) continue;
     open.push_back(&fate);
     mutants.push_back(fate.mutant);
     mutants.back().site = site->second;

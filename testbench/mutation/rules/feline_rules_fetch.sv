@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What reaches fetch: a beat stays until it is taken; flushes come while nothing is inside; the memory answers what it
-// was asked, from the same cycle on, and its answer waits; nothing unsupported in the full configuration.
+// What reaches fetch: a beat stays until it is taken; flushes come while nothing is inside; a memory response comes
+// in the cycle of its request or later, and stays until it is taken; nothing unsupported in the full configuration.
 `default_nettype none
 
 module feline_rules_fetch (
@@ -20,27 +20,27 @@ module feline_rules_fetch (
   output logic                      legal_o
 );
   logic                 held_q;
-  logic                 answer_held_q;
-  logic                 asks;
-  logic                 asked_q;
+  logic                 response_held_q;
+  logic                 requested;
+  logic                 outstanding_q;
   logic [1:0]           inside_q;  // fetch has two registers
   feline_pkg::address_t address_q;
   logic                 sampler_legal;
 
-  assign asks = memory_request_valid_o && memory_request_ready_i;
+  assign requested = memory_request_valid_o && memory_request_ready_i;
 
   always_ff @(posedge clk_i) begin
-    held_q        <= !rst_i && address_valid_i && !address_ready_o;
-    answer_held_q <= !rst_i && memory_response_valid_i && !memory_response_ready_o;
-    address_q     <= address_i;
+    held_q          <= !rst_i && address_valid_i && !address_ready_o;
+    response_held_q <= !rst_i && memory_response_valid_i && !memory_response_ready_o;
+    address_q       <= address_i;
     if (rst_i) begin
-      asked_q  <= 1'b0;
-      inside_q <= '0;
+      outstanding_q <= 1'b0;
+      inside_q      <= '0;
     end else begin
-      if (asks) begin
-        asked_q <= 1'b1;
+      if (requested) begin
+        outstanding_q <= 1'b1;
       end else if (memory_response_valid_i && memory_response_ready_o) begin
-        asked_q <= 1'b0;
+        outstanding_q <= 1'b0;
       end
       inside_q <= inside_q + 2'(address_valid_i && address_ready_o) - 2'(fetch_valid_o && fetch_ready_i);
     end
@@ -50,7 +50,8 @@ module feline_rules_fetch (
 
   assign legal_o = sampler_legal && (!held_q || (address_valid_i && address_i == address_q)) &&
                    (!flush_i || (!address_valid_i && inside_q == '0)) &&
-                   (!memory_response_valid_i || asked_q || asks) && (!answer_held_q || memory_response_valid_i) &&
+                   (!memory_response_valid_i || outstanding_q || requested) &&
+                   (!response_held_q || memory_response_valid_i) &&
                    (!address_valid_i || !address_i.status[feline_pkg::StatusUnsupported]);
 endmodule
 
