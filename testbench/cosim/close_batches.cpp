@@ -56,13 +56,14 @@ SamplerOptions blending_sampler(SplitMix64& random, bool at_edge) {
   options.min_level = plain.min_level;
   options.max_level = plain.max_level;
   // Of three probes the middle one has most of the weight, so that its product has every bit.
-  if (random.below(4) == 0) options.max_probes = std::min(3, kUnit.max_probes);
+  if (random.below(2) == 0) options.max_probes = std::min(3, kUnit.max_probes);
   return options;
 }
 
 // Near the texture's edges.
 float edge_coordinate(SplitMix64& random) {
-  return static_cast<float>(random.below(2)) + static_cast<float>(0.4 * random.unit() - 0.2);
+  const auto edge = static_cast<float>(random.below(2));
+  return edge + static_cast<float>(0.4 * random.unit() - 0.2);
 }
 
 // A texture with one lookup, and what each code of a texel gives to its sums.

@@ -23,7 +23,7 @@ Conditions random_conditions(SplitMix64& random) {
   constexpr double kLongestLatency = 1000;
   Conditions conditions;
   // Few batches wait long, or a run would do little else.
-  conditions.memory_latency = 1 + static_cast<int>(random.below(3));
+  conditions.memory_latency = static_cast<int>(random.below(4));
   if (random.below(32) == 0) {
     conditions.memory_latency = static_cast<int>(std::lround(std::exp2(random.unit() * std::log2(kLongestLatency))));
   }

@@ -23,7 +23,7 @@ struct StallPattern {
 
 // What goes on around the unit.
 struct Conditions {
-  int memory_latency = 20;  // cycles, >= 1; with stalls of the response, each read takes up to twice as long
+  int memory_latency = 20;  // cycles, >= 0; with stalls of the response, each read takes up to twice as long
   std::array<StallPattern, kPortCount> stalls{};
   double resets = 0;  // chance of a reset in each cycle, until a batch has had kMostResets: it must come to its end
   static constexpr std::uint64_t kMostResets = 8;

@@ -174,6 +174,7 @@ bool Cosimulation::run(const Batch& batch, const PixelSink& sink) {
     RtlUnit::Inputs inputs;
     inputs.request_valid = offering;
     inputs.memory_request_ready = memory->request_ready();
+    inputs.memory_at_once = memory->answers_at_once();
     inputs.memory_response_valid = memory->response_valid();
     if (memory->response_valid()) unit_->set_memory_response(memory->response());
     inputs.accumulate_ready = !pixel_stalls.stalls();
@@ -203,11 +204,10 @@ bool Cosimulation::run(const Batch& batch, const PixelSink& sink) {
       ++inside_;
     }
     if (outputs.accumulate_valid && inputs.accumulate_ready) --inside_;
-    if (memory->response_valid() && outputs.memory_response_ready) memory->take_response();
-    if (outputs.memory_request_valid && memory->request_ready() &&
-        !memory->take_request(outputs.memory_request_line, cycle_)) {
+    if (asks && !memory->take_request(outputs.memory_request_line, cycle_)) {
       holds = holds && fail(Stage::kFetch, "a read beyond the texture's last line");
     }
+    if (memory->response_valid() && outputs.memory_response_ready) memory->take_response();
     ++cycle_;
     if (!holds) {
       memory_reads_ += memory->requests();

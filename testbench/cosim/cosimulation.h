@@ -29,7 +29,7 @@ struct Batch {
 };
 
 struct Timing {
-  int memory_latency = 20;  // cycles, >= 1; with stalls, each read takes up to twice as long
+  int memory_latency = 20;  // cycles, >= 0; with stalls, each read takes up to twice as long
   double stalls = 0;        // chance of a stall, 0 .. 0.95, at each port and cycle
   std::uint64_t seed = 1;
   Conditions conditions() const;

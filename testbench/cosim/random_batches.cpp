@@ -16,16 +16,17 @@ float from_bits(std::uint32_t bits) { return std::bit_cast<float>(bits); }
 float any_class(SplitMix64& random) {
   const std::uint32_t sign = random.below(2) << 31;
   const std::uint32_t fraction = random.below(1u << 23);
+  const std::uint32_t exponent = random.below(254);
   switch (random.below(10)) {
     case 0: return from_bits(sign);
-    case 1: return from_bits(sign | 0x7f800000);                     // infinity
-    case 2: return from_bits(sign | 0x7f800000 | (fraction | 1));    // NaN
-    case 3: return from_bits(sign | (fraction | 1));                 // denormal
-    case 4: return from_bits(sign | 0x00800000);                     // least normal
-    case 5: return from_bits(sign | 0x7f7fffff);                     // greatest
-    case 6: return from_bits(sign | (1 + random.below(254)) << 23);  // power of two
-    case 7: return from_bits(sign | (1 + random.below(254)) << 23 | (random.below(2) != 0 ? 0x7fffff : 1));
-    case 8: return from_bits(sign | (117 + random.below(20)) << 23 | random.below(16) << 19);  // few bits: ties
+    case 1: return from_bits(sign | 0x7f800000);                   // infinity
+    case 2: return from_bits(sign | 0x7f800000 | (fraction | 1));  // NaN
+    case 3: return from_bits(sign | (fraction | 1));               // denormal
+    case 4: return from_bits(sign | 0x00800000);                   // least normal
+    case 5: return from_bits(sign | 0x7f7fffff);                   // greatest
+    case 6: return from_bits(sign | (1 + exponent) << 23);         // power of two
+    case 7: return from_bits(sign | (1 + exponent) << 23 | (random.below(2) != 0 ? 0x7fffff : 1));
+    case 8: return from_bits(sign | (117 + exponent % 20) << 23 | random.below(16) << 19);  // few bits: ties
     default: return from_bits(static_cast<std::uint32_t>(random.next() >> 32));
   }
 }
@@ -34,8 +35,8 @@ float signed_unit(SplitMix64& random) { return static_cast<float>(2 * random.uni
 
 // 2^k and up to twice as much, k uniform in low .. high - 1.
 float octave(SplitMix64& random, int low, int high) {
-  return std::ldexp(1.0F + static_cast<float>(random.unit()),
-                    low + static_cast<int>(random.below(static_cast<std::uint32_t>(high - low))));
+  const int exponent = low + static_cast<int>(random.below(static_cast<std::uint32_t>(high - low)));
+  return std::ldexp(1.0F + static_cast<float>(random.unit()), exponent);
 }
 
 Lookup tame(SplitMix64& random, int width, int height) {
@@ -91,7 +92,8 @@ Lookup aligned(SplitMix64& random, int width, int height) {
   const std::uint32_t largest = 108 + random.below(24);
   for (std::uint32_t number = 2; number < kOperands; ++number) {
     const std::uint32_t exponent = largest - random.below(random.below(2) != 0 ? 8 : 40);
-    const std::uint32_t high = random.below(1U << 23) & ~((1U << 23 >> random.below(9)) - 1);
+    const std::uint32_t high_bits = ~((1U << 23 >> random.below(9)) - 1);
+    const std::uint32_t high = random.below(1U << 23) & high_bits;
     const std::uint32_t low = 1U << random.below(23);
     const std::uint32_t significand = high | (random.below(4) != 0 ? low : low - 1);
     if (random.below(8) == 0) continue;
@@ -244,7 +246,7 @@ Batch RandomBatches::make(std::uint64_t number, std::uint64_t lookups) {
     loaded_ = number / 2;
     SplitMix64 texels(derived_seed(derived_seed(seed_, 1), *loaded_));
     // Some lie where the one before lay, whose lines nothing may remember.
-    const bool is_as_before = *loaded_ % 2 != 0 && texels.below(4) == 0;
+    const bool is_as_before = *loaded_ % 2 != 0 && texels.below(2) == 0;
     SplitMix64 random(derived_seed(derived_seed(seed_, 2), *loaded_ - (is_as_before ? 1 : 0)));
     const Shape shape = random_shape(random);
     texture_ = random_texture(texels, shape.format, shape.srgb, shape.width, shape.height, shape.levels);

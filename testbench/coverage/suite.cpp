@@ -191,7 +191,7 @@ void run_vast(Runner& runner, SplitMix64& random, std::uint64_t seed) {
   runner.start({1, 0, seed});
   for (const auto& [choice, count, what] :
        {std::tuple{kAny, 800, "lookups in large textures"}, std::tuple{kBorder, 500, "lookups around borders"},
-        std::tuple{kThin, 2500, "lookups in thin textures"}}) {
+        std::tuple{kThin, 5000, "lookups in thin textures"}}) {
     for (int number = 0; number < count; ++number) {
       runner.run(tagged(batches.make(choice, kLookups), random), what);
     }

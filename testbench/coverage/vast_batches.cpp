@@ -47,10 +47,11 @@ Lookup long_line(SplitMix64& random, const TextureShape& shape, int max_probes) 
   constexpr int kLongestLog2 = kUnit.max_size_log2 + 5;
   const double angle =
       random.below(4) != 0 ? std::numbers::pi / 4 * random.below(8) : 2 * std::numbers::pi * random.unit();
-  const double length = random.below(4) == 0
-                            ? kLargest * (max_probes + 1) * (1 + 0.03 * signed_unit(random))
-                            : std::ldexp(1 + random.unit(), static_cast<int>(random.below(kLongestLog2)));
-  const double ratio = std::ldexp(random.unit(), -static_cast<int>(random.below(6)));
+  const auto octave = static_cast<int>(random.below(kLongestLog2));
+  const double length = random.below(4) == 0 ? kLargest * (max_probes + 1) * (1 + 0.03 * signed_unit(random))
+                                             : std::ldexp(1 + random.unit(), octave);
+  const auto ratio_octave = static_cast<int>(random.below(6));
+  const double ratio = std::ldexp(random.unit(), -ratio_octave);
   const double turn = random.below(2) == 0 ? std::numbers::pi / 2 : 2 * std::numbers::pi * random.unit();
   const auto part = [&](double of, double side) { return static_cast<float>(of / side); };
   return {static_cast<float>(signed_unit(random)),

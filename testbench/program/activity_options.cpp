@@ -11,7 +11,7 @@ namespace feline {
 void ActivityOptions::add_to(CLI::App& command) {
   frames.add_to(command);
   command.add_option("--memory-latency", timing.memory_latency, "cycles from a read to its data")
-      ->check(whole_number(1, 100000))
+      ->check(whole_number(0, 100000))
       ->capture_default_str();
   command.add_option("--stalls", timing.stalls, "chance of a stall at each port in each cycle")
       ->check(number(0, 0.95))

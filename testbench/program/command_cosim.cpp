@@ -261,7 +261,7 @@ void add_cosim(CLI::App& program, int& exit_code, const std::vector<std::string>
       ->check(whole_number(1, std::uint64_t{1} << 40));
   CLI::Option* const latency =
       command->add_option("--memory-latency", options->timing.memory_latency, "cycles from a read to its data")
-          ->check(whole_number(1, 100000))
+          ->check(whole_number(0, 100000))
           ->capture_default_str();
   CLI::Option* const stalls =
       command->add_option("--stalls", options->timing.stalls, "chance of a stall at each port in each cycle")

@@ -12,6 +12,11 @@ using RealGradients = reference::Gradients<double>;
 
 double between(SplitMix64& random, double low, double high) { return low + (high - low) * random.unit(); }
 double sign(SplitMix64& random) { return random.chance(0.5) ? -1 : 1; }
+// Of either sign, and each octave as likely as another.
+double signed_power(SplitMix64& random, double low_log2, double high_log2) {
+  const double flip = sign(random);
+  return flip * std::exp2(between(random, low_log2, high_log2));
+}
 float step(float value, int ulps) {
   for (; ulps > 0; --ulps) value = std::nextafter(value, INFINITY);
   for (; ulps < 0; ++ulps) value = std::nextafter(value, -INFINITY);
@@ -44,8 +49,8 @@ RealGradients ellipse(SplitMix64& random, double major, double condition) {
 }
 
 RealGradients any_ellipse(SplitMix64& random, double low_log2, double high_log2, double most_condition_log2) {
-  return ellipse(random, std::exp2(between(random, low_log2, high_log2)),
-                 std::exp2(between(random, 0, most_condition_log2)));
+  const double condition = std::exp2(between(random, 0, most_condition_log2));
+  return ellipse(random, std::exp2(between(random, low_log2, high_log2)), condition);
 }
 
 Case tame(SplitMix64& random) { return case_of(random, any_ellipse(random, -2, 7, 5)); }
@@ -100,7 +105,7 @@ Case magnification(SplitMix64& random) { return case_of(random, any_ellipse(rand
 Case minification(SplitMix64& random) { return case_of(random, any_ellipse(random, 7, 134, 5)); }
 
 Case uneven(SplitMix64& random) {
-  const auto component = [&] { return sign(random) * std::exp2(between(random, -120, 120)); };
+  const auto component = [&] { return signed_power(random, -120, 120); };
   RealGradients texels{{component(), component()}, {component(), component()}};
   return case_of(random, texels);
 }
@@ -112,7 +117,7 @@ Case size(SplitMix64& random) {
 
 Case far_away(SplitMix64& random) {
   Case of = tame(random);
-  const auto far = [&] { return static_cast<float>(sign(random) * std::exp2(between(random, 0, 24))); };
+  const auto far = [&] { return static_cast<float>(signed_power(random, 0, 24)); };
   of.lookup.s = far();
   of.lookup.t = far();
   return of;

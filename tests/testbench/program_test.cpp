@@ -51,7 +51,7 @@ TEST(program, values_out_of_range) {
   expect_refused(dir, "render --min-level 5 --max-level 2 --size 8" + output, {"--min-level", "5", "--max-level, 2"});
   expect_refused(dir, "render --rounding nearest --blur-factor 1.2 --size 8" + output, {"--rounding", "ceiling"});
   expect_refused(dir, "cosim --stalls 1 --size 8", {"--stalls", "1", "0 to 0.95"});
-  expect_refused(dir, "cosim --memory-latency 0 --size 8", {"--memory-latency", "0", "1 to"});
+  expect_refused(dir, "cosim --memory-latency -1 --size 8", {"--memory-latency", "-1", "0 to"});
   expect_refused(dir, "cosim --size 8 --replay 64", {"--replay", "64", "0 to 63"});
   expect_refused(dir, "cosim --random 0", {"--random"});
   expect_refused(dir, "cosim --random -5", {"--random", "-5", "1 to"});
