@@ -144,7 +144,8 @@ class Steered {
         if (step != 0) steps.emplace_back(std::countr_zero(static_cast<std::uint64_t>(step)), &level.texels[at]);
       }
     }
-    std::ranges::sort(steps);
+    // Not by where texels lie, too, which no seed tells.
+    std::ranges::stable_sort(steps, {}, &std::pair<int, std::uint8_t*>::first);
     std::vector<std::uint8_t*> texels;
     // At an edge alpha is to come to the wanted step itself, not near it.
     if (at_edge_ && (steps.empty() || steps.front().first > F::kChannel.fraction_bits)) return texels;
