@@ -75,6 +75,7 @@ class Steered {
         lookup_(random_lookup(random, kSize, kSize)) {
     at_edge_ = at_edge && options_.wrap_s == Wrap::kClampToBorder;
     if (at_edge) lookup_.s = edge_coordinate(random), lookup_.t = edge_coordinate(random);
+    if (at_edge_ && random.below(2) == 0) make_nearly_opaque();
   }
 
   // Chooses four texels so that each channel's sum is next to where its code goes up. False when the lookup touches
@@ -120,6 +121,15 @@ class Steered {
     return products_of(lookup_, make_sampler<kUnit>(options_, texture_, laid_out), laid_out);
   }
   Sums sums() const { return sum_of(products()); }
+
+  // A probe of most of the weight then gives a product whose highest bit is set.
+  void make_nearly_opaque() {
+    constexpr std::uint8_t kHighBits = 0xe0;
+    for (MipLevel& level : texture_.levels) {
+      for (std::size_t at = kAlpha; at < level.texels.size(); at += 4) level.texels[at] |= kHighBits;
+    }
+    options_.border[kAlpha] = (kHighBits + options_.border[kAlpha] * (kCodes - 1 - kHighBits)) / (kCodes - 1);
+  }
 
   // Whether alpha, of which texels give whole codes, gets fractions of them from borders, which leave it where it can
   // come to the wanted steps.
