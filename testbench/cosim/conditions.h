@@ -32,8 +32,8 @@ struct Conditions {
   const StallPattern& at(Port port) const { return stalls[static_cast<std::size_t>(port)]; }
 };
 
-// Conditions of every kind, from none to long stalls at any of the ports, latencies up to 1000 cycles, each octave as
-// likely as another, and resets.
+// Conditions of every kind, from none to long stalls at any of the ports, latencies from 0 to 1000 cycles, each octave
+// as likely as another, and resets.
 Conditions random_conditions(SplitMix64& random);
 
 // The stalls of one port.

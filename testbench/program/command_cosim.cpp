@@ -269,7 +269,7 @@ void add_cosim(CLI::App& program, int& exit_code, const std::vector<std::string>
           ->capture_default_str();
   command
       ->add_flag("--vary", options->vary,
-                 "with --random: other stalls, memory latencies up to 1000 cycles and resets for every batch of 256")
+                 "with --random: other stalls, memory latencies of 0 to 1000 cycles and resets for every batch of 256")
       ->excludes(latency)
       ->excludes(stalls);
   command->add_option("--seed", options->timing.seed, "of stalls, power-up state and random lookups")
