@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What reaches accumulate: a beat stays until it is taken; a pixel's probes from first to last, of weights that sum to
-// one (test weight_rows_sum_to_one; leaf walk.probe_weight); colours of at most 255 (leaf filter.texels); nothing
-// unsupported in the full configuration.
+// one, of several none above a half (test weight_rows_sum_to_one; leaf walk.probe_weight); colours of at most 255 (leaf
+// filter.texels); nothing unsupported in the full configuration.
 `default_nettype none
 
 module feline_rules_accumulate (
@@ -14,6 +14,7 @@ module feline_rules_accumulate (
 );
   localparam int unsigned                       White = 255;
   localparam logic [feline_pkg::WeightBits+1:0] One   = 1 << feline_pkg::WeightBits;
+  localparam logic [feline_pkg::WeightBits+1:0] Half  = One >> 1;
 
   logic                               held_q;
   logic                               begun_q;
@@ -42,6 +43,8 @@ module feline_rules_accumulate (
   assign legal_o = (!held_q || (filter_valid_i && filter_i == filter_q)) &&
                    (!filter_valid_i || (channel_legal == '1 && filter_i.first == !begun_q && sum <= One &&
                                         (!filter_i.last || sum == One) &&
+                                        ((filter_i.first && filter_i.last) ||
+                                         (feline_pkg::WeightBits + 2)'(filter_i.weight) <= Half) &&
                                         !filter_i.status[feline_pkg::StatusUnsupported]));
 endmodule
 
