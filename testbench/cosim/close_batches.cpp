@@ -55,7 +55,7 @@ SamplerOptions blending_sampler(SplitMix64& random, bool at_edge) {
   options.level_bias = plain.level_bias;
   options.min_level = plain.min_level;
   options.max_level = plain.max_level;
-  // Of three probes the middle one has most of the weight, so that its product has every bit.
+  // Of several probes the middle one of three weighs most, but for two: the largest products.
   if (random.below(2) == 0) options.max_probes = std::min(3, kUnit.max_probes);
   return options;
 }
@@ -75,7 +75,6 @@ class Steered {
         lookup_(random_lookup(random, kSize, kSize)) {
     at_edge_ = at_edge && options_.wrap_s == Wrap::kClampToBorder;
     if (at_edge) lookup_.s = edge_coordinate(random), lookup_.t = edge_coordinate(random);
-    if (at_edge_ && random.below(2) == 0) make_nearly_opaque();
   }
 
   // Chooses four texels so that each channel's sum is next to where its code goes up. False when the lookup touches
@@ -121,15 +120,6 @@ class Steered {
     return products_of(lookup_, make_sampler<kUnit>(options_, texture_, laid_out), laid_out);
   }
   Sums sums() const { return sum_of(products()); }
-
-  // A probe of most of the weight then gives a product whose highest bit is set.
-  void make_nearly_opaque() {
-    constexpr std::uint8_t kHighBits = 0xe0;
-    for (MipLevel& level : texture_.levels) {
-      for (std::size_t at = kAlpha; at < level.texels.size(); at += 4) level.texels[at] |= kHighBits;
-    }
-    options_.border[kAlpha] = (kHighBits + options_.border[kAlpha] * (kCodes - 1 - kHighBits)) / (kCodes - 1);
-  }
 
   // Whether alpha, of which texels give whole codes, gets fractions of them from borders, which leave it where it can
   // come to the wanted steps.
