@@ -55,7 +55,7 @@ SamplerOptions blending_sampler(SplitMix64& random, bool at_edge) {
   options.level_bias = plain.level_bias;
   options.min_level = plain.min_level;
   options.max_level = plain.max_level;
-  // Of several probes the middle one of three weighs most, but for two: the largest products.
+  // The fewer probes, the larger their products.
   if (random.below(2) == 0) options.max_probes = std::min(3, kUnit.max_probes);
   return options;
 }
