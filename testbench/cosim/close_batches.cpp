@@ -144,7 +144,7 @@ class Steered {
         if (step != 0) steps.emplace_back(std::countr_zero(static_cast<std::uint64_t>(step)), &level.texels[at]);
       }
     }
-    // Not by where texels lie, too, which no seed tells.
+    // Stable: texels of one step stay in the texture's order, not that of their addresses.
     std::ranges::stable_sort(steps, {}, &std::pair<int, std::uint8_t*>::first);
     std::vector<std::uint8_t*> texels;
     // At an edge alpha is to come to the wanted step itself, not near it.

@@ -174,7 +174,7 @@ bool Cosimulation::run(const Batch& batch, const PixelSink& sink) {
     RtlUnit::Inputs inputs;
     inputs.request_valid = offering;
     inputs.memory_request_ready = memory->request_ready();
-    inputs.memory_at_once = memory->answers_at_once();
+    inputs.memory_zero_latency = memory->responds_in_same_cycle();
     inputs.memory_response_valid = memory->response_valid();
     if (memory->response_valid()) unit_->set_memory_response(memory->response());
     inputs.accumulate_ready = !pixel_stalls.stalls();

@@ -2,8 +2,8 @@
 // The unit as the bench drives it: every input comes out of a register. A cycle then costs one evaluation instead of
 // two: inputs change at the clock edge only, together with everything that depends on them.
 //
-// Memory memory_at_once_i: what is asked in this cycle is answered in it. The answer's data come in the next cycle, with
-//        memory_response_valid_i: the unit takes no answer in the cycle of its request.
+// Memory memory_zero_latency_i: a request that is taken in this cycle has its response in it. The data come in the next
+//        cycle, with memory_response_valid_i: the unit takes no response in the cycle of its request.
 `default_nettype none
 
 module feline_bench (
@@ -18,7 +18,7 @@ module feline_bench (
   output logic                                               memory_request_valid_o,
   input  wire logic                                          memory_request_ready_i,
   output logic [feline_pkg::LineWidth-1:0]                   memory_request_line_o,
-  input  wire logic                                          memory_at_once_i,
+  input  wire logic                                          memory_zero_latency_i,
   input  wire logic                                          memory_response_valid_i,
   output logic                                               memory_response_ready_o,
   input  wire logic [(32 << (2 * feline_pkg::TileLog2))-1:0] memory_response_data_i,
@@ -42,7 +42,7 @@ module feline_bench (
   logic                                          request_valid_q;
   feline_pkg::request_t                          request_q;
   logic                                          memory_request_ready_q;
-  logic                                          memory_at_once_q;
+  logic                                          memory_zero_latency_q;
   logic                                          memory_response_valid_q;
   logic                                          memory_response_valid;
   logic [(32 << (2 * feline_pkg::TileLog2))-1:0] memory_response_data_q;
@@ -55,14 +55,14 @@ module feline_bench (
     request_valid_q <= request_valid_i;
     request_q <= request_i;
     memory_request_ready_q <= memory_request_ready_i;
-    memory_at_once_q <= memory_at_once_i;
+    memory_zero_latency_q <= memory_zero_latency_i;
     memory_response_valid_q <= memory_response_valid_i;
     memory_response_data_q <= memory_response_data_i;
     accumulate_ready_q <= accumulate_ready_i;
   end
 
   assign memory_response_valid =
-      memory_response_valid_q || (memory_at_once_q && memory_request_valid_o && memory_request_ready_q);
+      memory_response_valid_q || (memory_zero_latency_q && memory_request_valid_o && memory_request_ready_q);
 
   feline_unit u_unit (
     .clk_i,

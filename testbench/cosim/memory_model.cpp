@@ -17,14 +17,14 @@ void MemoryModel::begin_cycle(std::uint64_t cycle) {
   const bool due = !waiting_.empty() && waiting_.front().due <= cycle;
   const bool stalls = response_stalls_.stalls();
   response_valid_ = due && (response_valid_ || !stalls);
-  answers_at_once_ = latency_ == 0 && waiting_.empty() && !stalls;
+  responds_in_same_cycle_ = latency_ == 0 && waiting_.empty() && !stalls;
 }
 
 bool MemoryModel::take_request(std::uint32_t line, std::uint64_t cycle) {
   ++requests_;
   if (!memory_.has_line(line)) return false;
   waiting_.push_back({line, cycle + latency_ + (jitter_ ? random_.below(latency_ + 1) : 0)});
-  response_valid_ = response_valid_ || answers_at_once_;
+  response_valid_ = response_valid_ || responds_in_same_cycle_;
   return true;
 }
 

@@ -17,14 +17,14 @@ class MemoryModel {
  public:
   MemoryModel(const TextureMemory& memory, const Conditions& conditions, std::uint64_t seed);
 
-  // Called once a cycle, before the unit's; then all answers hold for that cycle.
+  // Called once a cycle, before the unit's; what the next three say then holds for that cycle.
   void begin_cycle(std::uint64_t cycle);
   bool request_ready() const { return request_ready_; }
-  bool answers_at_once() const { return answers_at_once_; }
+  bool responds_in_same_cycle() const { return responds_in_same_cycle_; }
   bool response_valid() const { return response_valid_; }
   std::span<const std::uint8_t> response() const { return memory_.line(waiting_.front().line); }
 
-  // Answered at once, there is a response of this cycle from then on. False when there is no such line.
+  // A response in the same cycle is valid from then on. False when there is no such line.
   [[nodiscard]] bool take_request(std::uint32_t line, std::uint64_t cycle);
   void take_response();
   std::uint64_t requests() const { return requests_; }
@@ -42,7 +42,7 @@ class MemoryModel {
   SplitMix64 random_;
   std::deque<Waiting> waiting_;
   bool request_ready_ = false;
-  bool answers_at_once_ = false;
+  bool responds_in_same_cycle_ = false;
   bool response_valid_ = false;
   std::uint64_t requests_ = 0;
 };

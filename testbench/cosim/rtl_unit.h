@@ -21,7 +21,7 @@ class RtlUnit {
     bool flush = false;
     bool request_valid = false;
     bool memory_request_ready = false;
-    bool memory_at_once = false;  // what is asked in this cycle is answered in it
+    bool memory_zero_latency = false;  // a request of this cycle has its response in it
     bool memory_response_valid = false;
     bool accumulate_ready = false;
   };

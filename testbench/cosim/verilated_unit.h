@@ -69,7 +69,7 @@ class VerilatedUnit : public RtlUnit {
     unit_->flush_i = inputs.flush;
     unit_->request_valid_i = inputs.request_valid;
     unit_->memory_request_ready_i = inputs.memory_request_ready;
-    unit_->memory_at_once_i = inputs.memory_at_once;
+    unit_->memory_zero_latency_i = inputs.memory_zero_latency;
     unit_->memory_response_valid_i = inputs.memory_response_valid;
     unit_->accumulate_ready_i = inputs.accumulate_ready;
     // The wrapper takes these inputs at the edge that ends the cycle before (feline_bench.sv).

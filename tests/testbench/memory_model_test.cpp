@@ -24,7 +24,7 @@ TEST(memory_model, answers_as_many_cycles_after_its_request_as_it_says) {
   for (const int cycles : {1, 2, 1000}) {
     MemoryModel memory(lines, latency(cycles), 1);
     memory.begin_cycle(0);
-    EXPECT_FALSE(memory.answers_at_once());
+    EXPECT_FALSE(memory.responds_in_same_cycle());
     ASSERT_TRUE(memory.take_request(1, 0));
     EXPECT_FALSE(memory.response_valid());
     std::uint64_t cycle = 1;
@@ -38,20 +38,20 @@ TEST(memory_model, answers_in_the_cycle_of_its_request_and_until_that_is_taken) 
   const TextureMemory lines = two_lines();
   MemoryModel memory(lines, latency(0), 1);
   memory.begin_cycle(0);
-  EXPECT_TRUE(memory.answers_at_once());
+  EXPECT_TRUE(memory.responds_in_same_cycle());
   EXPECT_FALSE(memory.response_valid()) << "nothing is asked yet";
   ASSERT_TRUE(memory.take_request(1, 0));
   EXPECT_TRUE(memory.response_valid());
   for (std::uint64_t cycle = 1; cycle < 4; ++cycle) {
     memory.begin_cycle(cycle);
-    EXPECT_FALSE(memory.answers_at_once()) << "one is in front";
+    EXPECT_FALSE(memory.responds_in_same_cycle()) << "one is in front";
     ASSERT_TRUE(memory.response_valid());
     EXPECT_EQ(memory.response()[0], 1);
   }
   memory.take_response();
   memory.begin_cycle(4);
   EXPECT_FALSE(memory.response_valid());
-  EXPECT_TRUE(memory.answers_at_once());
+  EXPECT_TRUE(memory.responds_in_same_cycle());
   EXPECT_EQ(memory.requests(), 1U);
 }
 
@@ -63,7 +63,7 @@ TEST(memory_model, a_stall_makes_an_answer_later) {
   int late = 0;
   for (std::uint64_t cycle = 0; cycle < 1000; cycle += 10) {
     memory.begin_cycle(cycle);
-    const bool at_once = memory.answers_at_once();
+    const bool at_once = memory.responds_in_same_cycle();
     ASSERT_TRUE(memory.take_request(0, cycle));
     EXPECT_EQ(memory.response_valid(), at_once);
     late += at_once ? 0 : 1;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What reaches accumulate: a beat stays until it is taken; a pixel's probes from first to last, of weights that sum to
-// one, of several none above a half (test weight_rows_sum_to_one; leaf walk.probe_weight); colours of at most 255 (leaf
-// filter.texels); nothing unsupported in the full configuration.
+// one, of several none above a half (tests weight_rows_sum_to_one, no_probe_of_several_weighs_more_than_a_half; leaf
+// walk.probe_weight); colours of at most 255 (leaf filter.texels); nothing unsupported in the full configuration.
 `default_nettype none
 
 module feline_rules_accumulate (
