@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 
 #include "model/unit.h"
 #include "testbench/cosim/random_batches.h"
@@ -54,7 +55,8 @@ SamplerOptions blending_sampler(SplitMix64& random, bool at_edge) {
   const SamplerOptions plain;
   options.level_bias = plain.level_bias;
   options.min_level = plain.min_level;
-  options.max_level = plain.max_level;
+  // A low last level, between two of the texture's: it is blended also where a derivative overflows.
+  options.max_level = random.below(4) == 0 ? (kLevels - 1) * random.unit() : plain.max_level;
   // The fewer probes, the larger their products.
   if (random.below(2) == 0) options.max_probes = std::min(3, kUnit.max_probes);
   return options;
@@ -66,15 +68,23 @@ float edge_coordinate(SplitMix64& random) {
   return edge + static_cast<float>(0.4 * random.unit() - 0.2);
 }
 
+// One that raises a status bit, and leaves the footprint, and so the probes, as they are.
+float status_coordinate(SplitMix64& random) {
+  using Limits = std::numeric_limits<float>;
+  constexpr std::array kCoordinates{-Limits::max(), Limits::max(), Limits::infinity(), Limits::quiet_NaN()};
+  return kCoordinates[random.below(kCoordinates.size())];
+}
+
 // A texture with one lookup, and what each code of a texel gives to its sums.
 class Steered {
  public:
-  Steered(SplitMix64& random, bool at_edge)
+  Steered(SplitMix64& random, bool at_edge, bool raises_status)
       : texture_(random_texture(random, TexelFormat::kRgba8, random.below(2) != 0, kSize, kSize, kLevels)),
         options_(blending_sampler(random, at_edge)),
         lookup_(random_lookup(random, kSize, kSize)) {
     at_edge_ = at_edge && options_.wrap_s == Wrap::kClampToBorder;
     if (at_edge) lookup_.s = edge_coordinate(random), lookup_.t = edge_coordinate(random);
+    if (raises_status) (random.below(2) == 0 ? lookup_.s : lookup_.t) = status_coordinate(random);
   }
 
   // Chooses four texels so that each channel's sum is next to where its code goes up. False when the lookup touches
@@ -102,9 +112,11 @@ class Steered {
       std::fill_n(free[i], 4, std::uint8_t{0});
     }
     for (std::size_t c = 0; c < 4; ++c) {
-      const auto give = [&](std::size_t i, std::size_t code) { return gives[i][code][c]; };
+      // What is wanted below comes from below, where the texels' steps do not reach it.
+      const std::int64_t sign = wanted[c] < 0 ? -1 : 1;
+      const auto give = [&](std::size_t i, std::size_t code) { return sign * gives[i][code][c]; };
       const std::array<std::size_t, kFree> codes =
-          meet(give, wanted[c] - beyond(rest[c]), random.below(kCodes * kCodes));
+          meet(give, sign * (wanted[c] - beyond(rest[c])), random.below(kCodes * kCodes));
       for (std::size_t i = 0; i < kFree; ++i) free[i][c] = static_cast<std::uint8_t>(codes[i]);
     }
     return true;
@@ -187,7 +199,7 @@ class Steered {
 CloseBatches::Close CloseBatches::choose(std::uint64_t seed, std::uint64_t number) {
   SplitMix64 random(derived_seed(seed, number));
   for (;;) {
-    Steered steered(random, number % 2 != 0);
+    Steered steered(random, number % 2 != 0, number / 4 % 4 == 0);
     if (steered.steer(random)) {
       Close close{steered.sampler(), steered.memory(), {}};
       close.lookups.fill(steered.lookup());

@@ -35,5 +35,7 @@ if(MUTATED_MODEL)
   target_include_directories(feline_mutated_model BEFORE PRIVATE ${FELINE_MUTANTS}/model/sources)
   # What is put into the sources is not written as they are.
   target_compile_options(feline_mutated_model PRIVATE -O1 -w -Wno-narrowing)
+  # An index past an array's end is found as what it is, whatever lies there.
+  target_compile_definitions(feline_mutated_model PRIVATE _GLIBCXX_ASSERTIONS)
   target_link_libraries(feline_mutated_model PRIVATE feline_tables GTest::gtest mpfr gmpxx gmp)
 endif()

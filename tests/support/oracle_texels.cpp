@@ -190,7 +190,7 @@ Filter filter(const Fetch& fetch, const State& state) {
 Pixel accumulate(const std::vector<Filter>& probes) {
   Pixel pixel;
   pixel.tag = probes.back().tag;
-  pixel.status = probes.back().status;
+  for (const Filter& probe : probes) set(pixel.status, pixel.status.raw() | probe.status.raw());
   for (std::size_t c = 0; c < 4; ++c) {
     Wide sum = 0;
     for (const Filter& probe : probes) sum += Wide{probe.weight.raw()} * probe.colour[c].raw();
