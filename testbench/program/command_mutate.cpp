@@ -123,7 +123,7 @@ int run_mutate(const MutateOptions& options) {
     for (const std::string& name : stages) results.push_back(run_stage(name, options, workshop, known));
   }
   const std::vector<std::string> tiers =
-      options.model ? std::vector<std::string>{"smoke", "leaves", "unit", "tests"}
+      options.model ? std::vector<std::string>{"smoke", "unit", "leaves", "tests"}
                     : std::vector<std::string>{"smoke", mutation::kExhaustive, "close", "pace", "suite", "long"};
   const bool all = options.roms || options.model;
   const std::string json = to_json(results, all ? std::nullopt : std::optional(options.seed)).dump(1) + "\n";

@@ -5,6 +5,7 @@
 
 #include "tests/support/describe.h"
 #include "tests/support/oracle.h"
+#include "tests/support/random_beat.h"
 #include "tests/support/samplers.h"
 
 namespace feline {
@@ -52,7 +53,7 @@ TEST(address, equals_exact_arithmetic) {
     walked.s = walked.s.from_raw(random_position(random, std::max<std::int64_t>(width >> 1, 1)));
     walked.t = walked.t.from_raw(random_position(random, height));
     walked.linear = walked.linear.from_raw(random.below(2));
-    walked.tag = walked.tag.from_raw(random.below(65536));
+    draw_what_is_handed_on(random, walked);
     expect_as_oracle(walked, state);
   }
 }

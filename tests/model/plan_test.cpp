@@ -9,6 +9,7 @@
 #include "tests/support/describe.h"
 #include "tests/support/footprints.h"
 #include "tests/support/oracle.h"
+#include "tests/support/random_beat.h"
 
 namespace feline {
 namespace {
@@ -38,7 +39,11 @@ TEST(plan, equals_exact_arithmetic) {
     const int exponent = static_cast<int>(random.one_in(8)   ? random.between(-64, 63)
                                           : random.one_in(8) ? random.between(10, 22)
                                                              : random.between(-9, 10));
-    expect_as_oracle(footprint<kDefaultConfig>(group_beat(random_quad(random), exponent), state), state);
+    auto grouped = group_beat(random_quad(random), exponent);
+    draw(random, grouped.s);
+    draw(random, grouped.t);
+    draw_what_is_handed_on(random, grouped);
+    expect_as_oracle(footprint<kDefaultConfig>(grouped, state), state);
   }
 }
 

@@ -103,5 +103,33 @@ TEST(pruned, a_unit_without_two_derivatives_is_never_silently_wrong) {
   expect_both_sides(compare_with_full_unit<kCrossUnit>("model_pruned.cross"));
 }
 
+// What is left out is not only flagged: the probes are those of the rounding of 3.1 and of the whole line.
+TEST(pruned, without_factors_everything_is_exact) {
+  const SeedTrace trace(__FILE__, __LINE__);
+  Random random = random_for("model_pruned.factors");
+  const auto scenes = make_scenes(random, Content::kNoise);
+  int flagged = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const TestScene& scene = scenes[static_cast<std::size_t>(random.below(static_cast<std::int64_t>(scenes.size())))];
+    SamplerOptions options = random_options(random);
+    const Lookup lookup = any_lookup(random, scene.texture.levels[0].width, scene.texture.levels[0].height);
+    const auto own = make_sampler<kExactUnit>(options, scene.texture, scene.memory);
+    const bool asks = options.probes.rounding != ProbeRounding::kNearest ||
+                      own.length_factor.raw() != decltype(own.length_factor)::kFormatOf.one();
+    options.probes = kExact;
+    const auto exact = make_sampler<kDefaultConfig>(options, scene.texture, scene.memory);
+    const auto got = sample<kExactUnit>(make_request<kExactUnit>(lookup, i), own, scene.memory);
+    const auto request = make_request<kDefaultConfig>(lookup, i);
+    const auto want = sample<kDefaultConfig>(request, exact, scene.memory);
+    ASSERT_EQ(got.status.raw(), want.status.raw() | unsupported_if(asks));
+    flagged += asks ? 1 : 0;
+    for (std::size_t c = 0; c < 4; ++c) {
+      ASSERT_EQ(got.colour[c].raw(), want.colour[c].raw()) << mismatch(want, want, request, exact);
+    }
+  }
+  EXPECT_GT(flagged, 10000);
+  EXPECT_LT(flagged, 90000);
+}
+
 }  // namespace
 }  // namespace feline

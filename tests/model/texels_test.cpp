@@ -7,6 +7,7 @@
 #include "tests/support/lookups.h"
 #include "tests/support/oracle.h"
 #include "tests/support/pruned_configs.h"
+#include "tests/support/random_beat.h"
 #include "tests/support/samplers.h"
 
 namespace feline {
@@ -19,7 +20,7 @@ WalkBeat<kDefaultConfig> random_walk(Random& random, const State& state) {
   beat.linear = beat.linear.from_raw(random.one_in(4) ? 0 : 1);
   beat.s = beat.s.from_raw(random.between(-3 << 24, 4 << 24));
   beat.t = beat.t.from_raw(random.between(-3 << 24, 4 << 24));
-  beat.weight = beat.weight.from_raw(random.between(0, 256));
+  draw_what_is_handed_on(random, beat);
   return beat;
 }
 
@@ -112,6 +113,7 @@ TEST(accumulate, equals_exact_arithmetic) {
     const bool ties = random.one_in(4);
     for (int p = 0; p < probes; ++p) {
       auto& beat = beats[static_cast<std::size_t>(p)];
+      draw(random, beat.tag);
       beat.first = beat.first.from_raw(p == 0);
       beat.last = beat.last.from_raw(p == probes - 1);
       beat.status = beat.status.from_raw(random.one_in(4) ? random.below(16) : 0);

@@ -5,19 +5,10 @@
 
 #include "tests/support/describe.h"
 #include "tests/support/oracle.h"
-#include "tests/support/random.h"
+#include "tests/support/random_beat.h"
 
 namespace feline {
 namespace {
-
-template <typename T>
-T random_of(Random& random) {
-  const Format format = T::kFormatOf;
-  if (random.one_in(8)) return T::from_raw(random.one_in(2) ? format.max_raw() : format.min_raw());
-  const auto span = static_cast<std::uint64_t>(format.max_raw() - format.min_raw()) + 1;
-  const auto raw = format.min_raw() + static_cast<std::int64_t>(random.bits() % span);
-  return T::from_raw(raw >> random.below(format.width()));
-}
 
 int rows_of(int probes) { return probes == 1 ? 1 : 4; }
 
@@ -27,18 +18,18 @@ TEST(walk, equals_exact_arithmetic) {
   Random random = random_for("model_walk.equals_exact_arithmetic");
   for (int i = 0; i < 1000000; ++i) {
     PlanBeat<kDefaultConfig> plan;
-    plan.tag = random_of<decltype(plan.tag)>(random);
-    plan.s = random_of<decltype(plan.s)>(random);
-    plan.t = random_of<decltype(plan.t)>(random);
-    plan.half_step_s = random_of<decltype(plan.half_step_s)>(random);
-    plan.half_step_t = random_of<decltype(plan.half_step_t)>(random);
+    draw_what_is_handed_on(random, plan);
+    draw(random, plan.s);
+    draw(random, plan.t);
+    draw(random, plan.half_step_s);
+    draw(random, plan.half_step_t);
     const int probes = static_cast<int>(random.between(1, 16));
     plan.probes = plan.probes.from_raw(probes);
     const bool equal = random.one_in(4);
     plan.weight_row =
         plan.weight_row.from_raw(equal ? 60 + probes : std::max(0, 4 * probes - 7) + random.below(rows_of(probes)));
-    plan.level_of_detail = random_of<decltype(plan.level_of_detail)>(random);
-    plan.linear = random_of<decltype(plan.linear)>(random);
+    draw(random, plan.level_of_detail);
+    draw(random, plan.linear);
     const int probe = static_cast<int>(random.below(probes));
     const auto got = walk<kDefaultConfig>(plan, probe);
     const auto want = oracle::walk(plan, probe);

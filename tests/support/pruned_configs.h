@@ -62,4 +62,11 @@ inline constexpr Config kCrossUnit = [] {
   return config;
 }();
 
+// Everything but the factors.
+inline constexpr Config kExactUnit = [] {
+  Config config;
+  config.features.factors = false;
+  return config;
+}();
+
 }  // namespace feline
