@@ -115,7 +115,7 @@ void check_fingerprint(const prove::Certificate& certificate, const std::string&
 }
 
 int run_check(const ProveOptions& options, const Chosen& chosen) {
-  const prove::LeafSynthesis synthesis(options.source);
+  const prove::LeafSynthesis synthesis(prove::read_sources(options.source), options.source);
   prove::Certificate merged = prove::read_certificate(options.check.front());
   check_fingerprint(merged, options.check.front());
   for (std::size_t i = 1; i < options.check.size(); ++i) {
@@ -146,7 +146,7 @@ int run_prove(const ProveOptions& options, const Chosen& chosen) {
     against = prove::read_certificate(options.against);
     check_fingerprint(*against, options.against);
   }
-  const prove::LeafSynthesis synthesis(options.source);
+  const prove::LeafSynthesis synthesis(prove::read_sources(options.source), options.source);
   synthesis.version();
   const std::filesystem::path directory = options.output;
   prepare_directory(options.output, {"certificate.json", "journal.jsonl"});
@@ -219,6 +219,7 @@ void add_prove(CLI::App& program, int& exit_code) {
   command->add_option("--merge", options->merge, "with --check: writes all of them as one")->needs(check);
   auto* const list =
       command->add_flag("--list", options->list, "the leaves and proofs, and what they cover")->excludes(check);
+  for (const char* const other : {"--shard", "--output", "--against"}) list->excludes(command->get_option(other));
   command->add_flag("--json", options->json, "the certificate, or what is missing, as JSON")->excludes(list);
   command->callback([options, &exit_code] {
     const Chosen chosen = choose(*options);

@@ -120,9 +120,10 @@ Campaign run_campaign(const std::vector<const Leaf*>& leaves, const Shard& shard
   std::map<std::string, LeafCertificate>& proved = campaign.certificate.leaves;
   std::uint64_t inputs = 0;
   std::vector<Task> tasks;
+  const LeafSynthesis program(built_in_sources(), {});
   for (const Leaf& leaf : all_leaves()) {
     LeafCertificate& certificate = proved[leaf.name];
-    certificate.sources = synthesis.leaf_hash(leaf.wrapper);
+    certificate.sources = sources_of(leaf, synthesis, program);
     certificate.worst.resize(leaf.quantities.size());
   }
   // Entries of other sources stay in the file, but count for nothing here.
@@ -140,7 +141,8 @@ Campaign run_campaign(const std::vector<const Leaf*>& leaves, const Shard& shard
   };
   std::erase_if(proved, [&](const auto& each) { return each.second.digests.empty() && !is_chosen(each.first); });
   for (const Leaf* const leaf : leaves) {
-    for (std::uint64_t chunk = shard.index; chunk < leaf->chunks(); chunk += shard.count) {
+    for (std::uint64_t chunk = 0; chunk < leaf->chunks(); ++chunk) {
+      if (!shard.has(chunk)) continue;
       if (proved[leaf->name].digests.contains(chunk)) {
         ++campaign.resumed;
       } else {
@@ -202,7 +204,9 @@ void run_proofs(const std::vector<const Proof*>& proofs, const Shard& shard, con
                 const Cache& cache, const Certificate* against, Campaign& campaign) {
   add_known_proofs(synthesis, cache, campaign.certificate);
   std::vector<const Proof*> mine;
-  for (std::size_t i = shard.index; i < proofs.size(); i += shard.count) mine.push_back(proofs[i]);
+  for (std::size_t i = 0; i < proofs.size(); ++i) {
+    if (shard.has(i)) mine.push_back(proofs[i]);
+  }
   if (mine.empty()) return;
   // Wrong sources are told before the work.
   std::vector<std::string> hashes;

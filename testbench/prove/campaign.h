@@ -19,6 +19,7 @@ namespace feline::prove {
 struct Shard {
   std::uint64_t index = 0;
   std::uint64_t count = 1;
+  bool has(std::uint64_t number) const { return number % count == index; }
 };
 // "I/N", 0 <= I < N; nothing for any other text.
 std::optional<Shard> parse_shard(std::string_view text);

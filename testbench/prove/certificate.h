@@ -16,7 +16,7 @@ namespace feline::prove {
 
 // What was proved of one leaf: some or all chunks of its domain.
 struct LeafCertificate {
-  std::string sources;                           // the hash of its modules, in hex
+  std::string sources;                           // sources_of
   std::map<std::uint64_t, std::string> digests;  // of each chunk that is done
   std::array<std::uint64_t, kWitnesses.size()> mismatches{};
   std::vector<Worst> worst;
@@ -40,6 +40,11 @@ struct Certificate {
   // digests.
   void merge(const Certificate& other, const std::string& name);
 };
+
+// Of all that a leaf's certificate is about, in hex: its modules, of which the netlist is made, those and the C++ that
+// the program was built from, and its domain. Of a program that was built from other sources than the netlists it is
+// nobody else's.
+std::string sources_of(const Leaf& leaf, const LeafSynthesis& netlists, const LeafSynthesis& program);
 
 // The tools of this build; `yosys` is of LeafSynthesis.
 Certificate empty_certificate(const std::string& yosys);

@@ -20,15 +20,27 @@ struct ParameterSet {
   Mode mode;
   std::int64_t rounding, length, blur, inverse_alias, probe;
 };
+ParameterSet parameter_set(Mode mode, const ProbeParameters& parameters) {
+  return {mode,
+          code(parameters.rounding),
+          factor(parameters.length_factor),
+          factor(parameters.blur_factor),
+          factor(1 / parameters.alias_factor),
+          factor(1 / (parameters.blur_factor * parameters.alias_factor))};
+}
 std::vector<ParameterSet> parameter_sets() {
+  return {parameter_set(Mode::kExt, kExact), parameter_set(Mode::kTable, kExact),
+          parameter_set(Mode::kTable, kHighQuality), parameter_set(Mode::kTable, kHighEfficiency)};
+}
+
+// The modes that plan takes as it takes table: fewer major radii show that it does.
+constexpr std::int64_t kStride = 257;
+std::vector<ParameterSet> parameter_sets_of_like_modes() {
   std::vector<ParameterSet> sets;
-  for (const auto& [mode, parameters] : {std::pair{Mode::kExt, kExact},
-                                         {Mode::kTable, kExact},
-                                         {Mode::kTable, kHighQuality},
-                                         {Mode::kTable, kHighEfficiency}}) {
-    sets.push_back({mode, code(parameters.rounding), factor(parameters.length_factor), factor(parameters.blur_factor),
-                    factor(1 / parameters.alias_factor),
-                    factor(1 / (parameters.blur_factor * parameters.alias_factor))});
+  for (const Mode mode : {Mode::kNearest, Mode::kBilinear, Mode::kTrilinear, Mode::kSimple}) {
+    for (const ProbeParameters& parameters : {kExact, kHighQuality, kHighEfficiency}) {
+      sets.push_back(parameter_set(mode, parameters));
+    }
   }
   return sets;
 }
@@ -39,16 +51,26 @@ constexpr std::int64_t kLeastMajor = std::int64_t{1} << (F::kMagnitudeBits - 1 +
 std::int64_t least_shortened(const ParameterSet& set) { return kLeastMajor * set.length / F::kFactor.one(); }
 constexpr std::int64_t kMostMajor = F::kRadius.max_raw();
 
-// Every major radius with every minor one that is not larger, the other fields as `head` has them.
+// Every stride-th major radius from `least` on, the last field first_of(major) up to most_of(major).
 template <typename L>
-Domain radius_pairs(const std::vector<std::int64_t>& head, std::int64_t least_major) {
+Domain radius_rows(std::int64_t least, std::int64_t stride, const std::function<std::int64_t(std::int64_t)>& most_of,
+                   std::function<Values<L::kInputs>(std::int64_t)> first_of) {
+  const auto major_of = [=](std::uint64_t row) { return least + static_cast<std::int64_t>(row) * stride; };
   return rows<L>(
-      "", static_cast<std::uint64_t>(kMostMajor - least_major) + 1,
-      [=](std::uint64_t row) { return row + static_cast<std::uint64_t>(least_major) + 1; },
-      [=](std::uint64_t row) {
+      "", static_cast<std::uint64_t>((kMostMajor - least) / stride) + 1,
+      [=](std::uint64_t row) { return static_cast<std::uint64_t>(most_of(major_of(row))) + 1; },
+      [major_of, first_of = std::move(first_of)](std::uint64_t row) { return first_of(major_of(row)); });
+}
+
+// Every stride-th major radius with every minor one that is not larger, the other fields as `head` has them.
+template <typename L>
+Domain radius_pairs(const std::vector<std::int64_t>& head, std::int64_t least_major, std::int64_t stride = 1) {
+  return radius_rows<L>(
+      least_major, stride, [](std::int64_t major) { return major; },
+      [=](std::int64_t major) {
         Values<L::kInputs> values{};
         std::ranges::copy(head, values.begin());
-        values[head.size()] = least_major + static_cast<std::int64_t>(row);
+        values[head.size()] = major;
         return values;
       });
 }
@@ -117,14 +139,20 @@ Domain footprints(Mode mode) {
 // Exponents at which a texel is more than any radius, or less than its last bit, are all alike.
 Domain clamped_radii() {
   std::vector<Domain> parts;
-  for (const ParameterSet& set : parameter_sets()) {
-    // Both ceilings shorten alike.
-    if (set.length == factor(kHighEfficiency.length_factor) && set.blur == factor(kHighEfficiency.blur_factor))
-      continue;
+  // Both ceilings shorten alike.
+  const auto shortens_again = [](const ParameterSet& set) { return set.blur == factor(kHighEfficiency.blur_factor); };
+  const auto append_pairs = [&](const ParameterSet& set, std::int64_t stride) {
     const int least = F::kRadius.fraction_bits - F::kRadius.width() + 1;
     for (std::int64_t exponent = least; exponent <= F::kRadius.fraction_bits + 1; ++exponent) {
-      parts.push_back(radius_pairs<ClampRadii>({code(set.mode), set.length, exponent}, kLeastMajor));
+      parts.push_back(radius_pairs<ClampRadii>({code(set.mode), set.length, exponent}, kLeastMajor, stride));
     }
+  };
+  for (const ParameterSet& set : parameter_sets_of_like_modes()) {
+    if (!shortens_again(set)) append_pairs(set, kStride);
+  }
+  for (const ParameterSet& set : parameter_sets()) {
+    if (shortens_again(set)) continue;
+    append_pairs(set, 1);
     parts.push_back(product<ClampRadii>(
         "", {code(set.mode), set.length, Axis::all(F::kExponent), Axis::range(kLeastMajor, kMostMajor),
              Axis({0, 1, 127, 128, 8191, 8192, 16384, 20000})}));
@@ -133,18 +161,21 @@ Domain clamped_radii() {
   return joined(
       "every pair of radii, major 0 or at least 64 texels and minor not larger, at each exponent at which a texel is "
       "within the radii's range; every major radius with eight minor ones at every exponent; length factors of the "
-      "named parameter sets, and mode ext",
+      "named parameter sets, modes table and ext; in the other modes each 257th major radius",
       lane_words<ClampRadii::kInputs>(), std::move(parts));
 }
 
 Domain radii_that_want_probes() {
   std::vector<Domain> parts;
-  for (const ParameterSet& set : parameter_sets()) {
-    parts.push_back(radius_pairs<WantedProbes>({code(set.mode), set.rounding, set.probe}, least_shortened(set)));
-  }
+  const auto append = [&](const ParameterSet& set, std::int64_t stride) {
+    parts.push_back(
+        radius_pairs<WantedProbes>({code(set.mode), set.rounding, set.probe}, least_shortened(set), stride));
+  };
+  for (const ParameterSet& set : parameter_sets_of_like_modes()) append(set, kStride);
+  for (const ParameterSet& set : parameter_sets()) append(set, 1);
   return joined(
       "every pair of radii, the major one from a shortened 64 texels on, minor not larger; named "
-      "parameter sets, and mode ext",
+      "parameter sets, modes table and ext; in the other modes each 257th major radius",
       lane_words<WantedProbes::kInputs>(), std::move(parts));
 }
 
@@ -156,31 +187,22 @@ Domain probe_limits() {
 // Of a pair of radii every probe count up to the finest rule's, 2 major/minor + 1.
 Domain fitted_radii() {
   std::vector<Domain> parts;
-  for (const ParameterSet& set : parameter_sets()) {
+  const auto append = [&](const ParameterSet& set, std::int64_t limited, std::int64_t probes, std::int64_t stride) {
+    parts.push_back(radius_rows<FitRadius>(
+        least_shortened(set), stride,
+        [=](std::int64_t major) { return probes == 1 ? major : std::min(major, 2 * major / (probes - 1)); },
+        [=](std::int64_t major) {
+          return FitRadius::Inputs{code(set.mode), set.rounding, set.blur, set.inverse_alias, limited, probes, major};
+        }));
+  };
+  const auto append_all = [&](const ParameterSet& set, std::int64_t stride) {
     for (const std::int64_t limited : {0, 1}) {
       if (limited == 1 && set.rounding == 0) continue;
-      for (std::int64_t probes = 1; probes <= kUnit.max_probes; ++probes) {
-        const std::int64_t least = least_shortened(set);
-        const auto most_minor = [=](std::int64_t major) {
-          return probes == 1 ? major : std::min(major, 2 * major / (probes - 1));
-        };
-        parts.push_back(rows<FitRadius>(
-            "", static_cast<std::uint64_t>(kMostMajor - least) + 1,
-            [=](std::uint64_t row) {
-              return static_cast<std::uint64_t>(most_minor(least + static_cast<std::int64_t>(row))) + 1;
-            },
-            [=](std::uint64_t row) {
-              return FitRadius::Inputs{code(set.mode),
-                                       set.rounding,
-                                       set.blur,
-                                       set.inverse_alias,
-                                       limited,
-                                       probes,
-                                       least + static_cast<std::int64_t>(row)};
-            }));
-      }
+      for (std::int64_t probes = 1; probes <= kUnit.max_probes; ++probes) append(set, limited, probes, stride);
     }
-  }
+  };
+  for (const ParameterSet& set : parameter_sets_of_like_modes()) append_all(set, kStride);
+  for (const ParameterSet& set : parameter_sets()) append_all(set, 1);
   // Radii of nothing, and what only the ceiling looks at, for the others.
   for (const ParameterSet& set : parameter_sets()) {
     parts.push_back(product<FitRadius>(
@@ -189,8 +211,9 @@ Domain fitted_radii() {
   }
   return joined(
       "every pair of radii from a shortened 64 texels on with every probe count up to 2 major/minor + "
-      "1, so that they can come to it by some maxProbes; named parameter sets and mode ext, the "
-      "ceilings limited and not; every major radius with five minor ones, limited and not",
+      "1, so that they can come to it by some maxProbes; named parameter sets, modes table and ext, the "
+      "ceilings limited and not; every major radius with five minor ones, limited and not; in the other modes each "
+      "257th major radius",
       lane_words<FitRadius::kInputs>(), std::move(parts));
 }
 
@@ -244,8 +267,9 @@ Domain half_step_factors() {
   std::vector<Domain> parts{
       product<HalfStepFactor>("", {Axis({code(Mode::kExt), code(Mode::kSimple), code(Mode::kTable)}),
                                    Axis::range(1, kUnit.max_probes), line}),
-      product<HalfStepFactor>("", {Axis::range(0, 2), 1, line})};
-  return joined("every probe count, line and mode", lane_words<HalfStepFactor::kInputs>(), std::move(parts));
+      product<HalfStepFactor>("", {Axis::range(0, 5), 1, Axis::all(F::kLineFraction)})};
+  return joined("every probe count, line and mode; of one probe also what is no line",
+                lane_words<HalfStepFactor::kInputs>(), std::move(parts));
 }
 
 Domain texture_products() {

@@ -6,10 +6,10 @@
 #include <xxhash.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <sstream>
-#include <system_error>
 
 #include "testbench/area/yosys.h"
 #include "testbench/atomic_file.h"
@@ -35,8 +35,6 @@ std::string without_comments(const std::string& text) {
   return kept;
 }
 
-std::string text_of(const std::filesystem::path& path) { return without_comments(read_text(path, "open", "a file")); }
-
 // Words that begin as modules do.
 std::set<std::string> module_words(const std::string& text) {
   const auto is_part = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
@@ -51,25 +49,23 @@ std::set<std::string> module_words(const std::string& text) {
 
 }  // namespace
 
-LeafSynthesis::LeafSynthesis(std::filesystem::path root) : root_(std::move(root)) {
-  read_modules("rtl", kModulePrefix, rtl_);
-  read_modules("tables/generated", "feline_rom_", rtl_);
-  read_modules("testbench/prove/rtl_leaves", kModulePrefix, leaves_);
-  read_modules("testbench/prove/proofs", kModulePrefix, proofs_);
-  package_ = text_of(root_ / kPackage);
-}
-
-void LeafSynthesis::read_modules(const std::string& directory, std::string_view prefix,
-                                 std::vector<Module>& modules) const {
-  const std::size_t before = modules.size();
-  std::error_code none;
-  for (const auto& entry : std::filesystem::directory_iterator(root_ / directory, none)) {
-    const std::string name = entry.path().stem().string();
-    if (!name.starts_with(prefix) || entry.path().extension() != ".sv") continue;
-    modules.push_back({name, fmt::format("{}/{}.sv", directory, name), text_of(entry.path())});
-  }
-  if (modules.size() == before) {
-    bad_input(root_.string(), "--source", fmt::format("no {}/{}*.sv", directory, prefix), "this project's sources");
+LeafSynthesis::LeafSynthesis(const Sources& sources, std::filesystem::path root) : root_(std::move(root)) {
+  const std::array<std::pair<std::string_view, std::vector<Module>*>, 4> rooms{
+      {{"rtl/", &rtl_},
+       {"tables/generated/", &rtl_},
+       {"testbench/prove/rtl_leaves/", &leaves_},
+       {"testbench/prove/proofs/", &proofs_}}};
+  for (const auto& [file, text] : sources) {
+    std::string bare = without_comments(text);
+    const std::filesystem::path path = file;
+    const auto room = std::ranges::find_if(rooms, [&](const auto& each) { return file.starts_with(each.first); });
+    if (file == kPackage) {
+      package_ = std::move(bare);
+    } else if (room != rooms.end()) {
+      room->second->push_back({path.stem().string(), file, std::move(bare)});
+    } else {
+      evaluating_[file] = std::move(bare);
+    }
   }
 }
 
@@ -125,8 +121,9 @@ Netlist LeafSynthesis::netlist(std::string_view wrapper, const Cache& cache) con
   return {gates, module};
 }
 
-std::string LeafSynthesis::leaf_hash(std::string_view wrapper) const {
-  const std::string text = closure(fmt::format("feline_leaf_{}", wrapper), leaves_, nullptr);
+std::string LeafSynthesis::leaf_hash(const Leaf& leaf) const {
+  std::string text = closure(fmt::format("feline_leaf_{}", leaf.wrapper), leaves_, nullptr);
+  for (const std::string& file : evaluating_files(leaf.stage())) text += evaluating_.at(file);
   return fmt::format("{:016x}", XXH3_64bits(text.data(), text.size()));
 }
 

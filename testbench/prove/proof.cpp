@@ -17,6 +17,8 @@ namespace {
 
 // Seconds until ABC gives up.
 constexpr int kPatience = 600;
+// It looks at the time in places only.
+constexpr int kGrace = 60;
 
 constexpr std::string_view kNeed = "proofs need it";
 
@@ -35,6 +37,15 @@ constexpr Engine kEngines[]{
      "No output asserted in 3 frames", "was asserted in frame"},
 };
 
+// Verilog {0} of a proof {1} as a circuit {3}; registers begin at zero, or {2} is empty.
+constexpr std::string_view kCircuit =
+    "read_verilog -sv -noautowire \"{0}\"\nhierarchy -check -top feline_proof_{1}\nproc\nflatten\nopt -full\n"
+    "memory_map\nopt\ndffunmap\nsetundef -zero -undriven\nsetundef -zero\ntechmap\nopt -fast\ndffunmap\n"
+    "setundef -zero\naigmap\nopt_clean -purge\nwrite_aiger {2} \"{3}\"";
+std::string_view aiger_option(const Proof& proof) {
+  return proof.method == Proof::Method::kEquivalence ? "" : "-zinit";
+}
+
 enum class Answer { kNever, kSometimes, kUnknown };
 
 std::string proof_text(const Proof& proof, const LeafSynthesis& synthesis, const Proof::Control* control) {
@@ -48,16 +59,12 @@ Answer ask(const Proof& proof, const std::string& verilog, std::string& said) {
   const AtomicFile circuit(work / "feline-proof.aig");
   write_text(source.temporary(), verilog);
   const Engine& engine = kEngines[static_cast<std::size_t>(proof.method)];
-  const std::string script = fmt::format(
-      "read_verilog -sv -noautowire \"{0}\"\nhierarchy -check -top feline_proof_{1}\nproc\nflatten\nopt -full\n"
-      "memory_map\nopt\ndffunmap\nsetundef -zero -undriven\nsetundef -zero\ntechmap\nopt -fast\ndffunmap\n"
-      "setundef -zero\naigmap\nopt_clean -purge\nwrite_aiger {2} \"{3}\"",
-      source.temporary().string(), proof.name, proof.method == Proof::Method::kEquivalence ? "" : "-zinit",
-      circuit.temporary().string());
+  const std::string script = fmt::format(fmt::runtime(kCircuit), source.temporary().string(), proof.name,
+                                         aiger_option(proof), circuit.temporary().string());
   const page::Finished yosys = run_yosys({"-q", "-p", script}, kNeed);
   if (yosys.code != 0) throw InputError(fmt::format("yosys: exit code {}: {}", yosys.code, yosys.errors));
-  const page::Finished abc =
-      run_abc(fmt::format(fmt::runtime(engine.commands), circuit.temporary().string(), kPatience), kNeed);
+  const page::Finished abc = run_abc(
+      fmt::format(fmt::runtime(engine.commands), circuit.temporary().string(), kPatience), kNeed, kPatience + kGrace);
   said = abc.output + abc.errors;
   const auto says = [&](std::string_view text) { return said.find(text) != std::string::npos; };
   if (abc.code != 0) return Answer::kUnknown;
@@ -91,7 +98,8 @@ ProofResult run_proof(const Proof& proof, const LeafSynthesis& synthesis) {
 std::string_view method_name(const Proof& proof) { return kEngines[static_cast<std::size_t>(proof.method)].name; }
 
 std::string proof_hash(const Proof& proof, const LeafSynthesis& synthesis) {
-  std::string all = fmt::format("{} {} ", proof.name, kEngines[static_cast<std::size_t>(proof.method)].commands) +
+  std::string all = fmt::format("{} {} {} {} ", proof.name, kEngines[static_cast<std::size_t>(proof.method)].commands,
+                                kCircuit, aiger_option(proof)) +
                     proof_text(proof, synthesis, nullptr);
   for (const Proof::Control& control : proof.controls) {
     proof_text(proof, synthesis, &control);

@@ -103,10 +103,11 @@ TEST(pruned, a_unit_without_two_derivatives_is_never_silently_wrong) {
   expect_both_sides(compare_with_full_unit<kCrossUnit>("model_pruned.cross"));
 }
 
-// What is left out is not only flagged: the probes are those of the rounding of 3.1 and of the whole line.
-TEST(pruned, without_factors_everything_is_exact) {
+// What is left out is not only flagged: the probes are those of the rounding of 3.1 and of the whole line, and
+// bilinear.
+TEST(pruned, without_factors_and_gaussian_everything_is_exact) {
   const SeedTrace trace(__FILE__, __LINE__);
-  Random random = random_for("model_pruned.factors");
+  Random random = random_for("model_pruned.exact");
   const auto scenes = make_scenes(random, Content::kNoise);
   int flagged = 0;
   for (int i = 0; i < 100000; ++i) {
@@ -115,8 +116,10 @@ TEST(pruned, without_factors_everything_is_exact) {
     const Lookup lookup = any_lookup(random, scene.texture.levels[0].width, scene.texture.levels[0].height);
     const auto own = make_sampler<kExactUnit>(options, scene.texture, scene.memory);
     const bool asks = options.probes.rounding != ProbeRounding::kNearest ||
-                      own.length_factor.raw() != decltype(own.length_factor)::kFormatOf.one();
+                      own.length_factor.raw() != decltype(own.length_factor)::kFormatOf.one() ||
+                      options.kernel != Kernel::kBilinear;
     options.probes = kExact;
+    options.kernel = Kernel::kBilinear;
     const auto exact = make_sampler<kDefaultConfig>(options, scene.texture, scene.memory);
     const auto got = sample<kExactUnit>(make_request<kExactUnit>(lookup, i), own, scene.memory);
     const auto request = make_request<kDefaultConfig>(lookup, i);

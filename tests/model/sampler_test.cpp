@@ -7,8 +7,10 @@
 #include <cmath>
 #include <functional>
 
+#include "model/make_sampler.h"
 #include "tests/support/describe.h"
 #include "tests/support/oracle.h"
+#include "tests/support/pruned_configs.h"
 #include "tests/support/samplers.h"
 
 namespace feline {
@@ -70,9 +72,11 @@ TEST(sampler, refuses_what_the_machine_cannot_hold) {
                                       {"blur_factor", [](auto& o, auto&) { o.probes.blur_factor = 2; }},
                                       {"alias_factor", [nan](auto& o, auto&) { o.probes.alias_factor = nan; }},
                                       {"alias_factor", [](auto& o, auto&) { o.probes.alias_factor = 2.1; }},
+                                      {"alias_factor", [](auto& o, auto&) { o.probes.alias_factor = 0.99; }},
                                       {"max_probes", [](auto& o, auto&) { o.max_probes = 0; }},
                                       {"max_probes", [](auto& o, auto&) { o.max_probes = 17; }},
                                       {"level_bias", [](auto& o, auto&) { o.level_bias = 16; }},
+                                      {"level_bias", [](auto& o, auto&) { o.level_bias = 16 - 1.0 / 512; }},
                                       {"level_bias", [](auto& o, auto&) { o.level_bias = -16.01; }},
                                       {"max_level", [](auto& o, auto&) { o.max_level = -1; }},
                                       {"min_level", [](auto& o, auto&) { o.min_level = 2, o.max_level = 1; }},
@@ -102,14 +106,27 @@ TEST(sampler, refuses_what_the_machine_cannot_hold) {
   }
 }
 
-// A texture that nobody has loaded is refused by its shape.
-TEST(sampler, refuses_a_shape_without_levels) {
+template <Config kConfig>
+std::string refusal_of(int width, int height, int levels) {
   try {
-    make_sampler<kDefaultConfig>({}, TextureShape{TexelFormat::kR8, false, 4, 4, 0, {}});
-    ADD_FAILURE() << "was not refused";
+    make_sampler<kConfig>({}, TextureShape{TexelFormat::kR8, false, width, height, levels, {}});
   } catch (const SamplerError& error) {
-    EXPECT_EQ(error.field, "levels");
+    return error.field + ": " + error.legal;
   }
+  return "none";
+}
+
+// A texture that nobody has loaded is refused by its shape.
+TEST(sampler, refuses_shapes) {
+  EXPECT_EQ(refusal_of<kDefaultConfig>(4, 4, 0), "levels: at least 1");
+  EXPECT_EQ(refusal_of<kDefaultConfig>(4, 7, 4), "levels: at most 3");
+  EXPECT_EQ(refusal_of<kDefaultConfig>(4, 7, 3), "none");
+  EXPECT_EQ(refusal_of<kDefaultConfig>(16385, 1, 1), "size: 1 x 1 to 16384 x 16384");
+  EXPECT_EQ(refusal_of<kDefaultConfig>(1, 16385, 1), "size: 1 x 1 to 16384 x 16384");
+  EXPECT_EQ(refusal_of<kDefaultConfig>(16384, 16384, 15), "none");
+  EXPECT_EQ(refusal_of<kHoledTableUnit>(3, 4, 1), "size: powers of two");
+  EXPECT_EQ(refusal_of<kHoledTableUnit>(4, 3, 1), "size: powers of two");
+  EXPECT_EQ(refusal_of<kHoledTableUnit>(4, 8, 1), "none");
 }
 
 // OpenGL 4.6, 8.14.2: a border has the channels that the texture has.

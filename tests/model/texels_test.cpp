@@ -47,6 +47,67 @@ TEST(fetch, and_filter_equal_exact_arithmetic) {
   }
 }
 
+// Of one texture of 4 x 4 texels and any border: what a configuration has no place for is 0, alpha one, and asked for
+// only by an alpha in memory or border where all other channels have theirs.
+template <Config kConfig>
+void expect_constant_channels(const char* name) {
+  const SeedTrace trace(__FILE__, __LINE__);
+  Random random = random_for(name);
+  const TestScene scene =
+      make_scene(random, 4, 4, supported_format(kConfig.features, TexelFormat::kRgba8), false, Content::kNoise, 1);
+  const int channels = bytes_per_texel(scene.texture.format);
+  TextureMemory memory = scene.memory;
+  memory.is_opaque = true;
+  auto state = make_sampler<kConfig>(plain_options(supported_mode(kConfig.features, Mode::kTrilinear)),
+                                     TextureShape{scene.texture.format, false, 4, 4, 1, memory.level_base});
+  std::array<int, 2> asked{};
+  for (int i = 0; i < 1000; ++i) {
+    for (auto& channel : state.border) channel = channel.from_raw(16 * (random.one_in(2) ? 255 : random.below(256)));
+    AddressBeat<kConfig> beat;
+    for (auto* each : {&beat.fine_x, &beat.fine_y, &beat.coarse_x, &beat.coarse_y}) {
+      for (auto& index : *each) index = index.from_raw(random.below(4));
+    }
+    draw(random, beat.fine_border);
+    draw(random, beat.coarse_border);
+    draw(random, beat.coarse_used);
+    const auto got = fetch<kConfig>(beat, state, memory);
+    bool asks = false;
+    const auto expect_texel = [&](const auto& texel, const auto& xs, const auto& ys, std::int64_t border, int place) {
+      const int column = place % 2;
+      const int row = place / 2;
+      const bool outside = (border >> column) % 2 != 0 || (border >> (2 + row)) % 2 != 0;
+      const std::int64_t at = 4 * ys[static_cast<std::size_t>(row)].raw() + xs[static_cast<std::size_t>(column)].raw();
+      for (int c = 0; c < 4; ++c) {
+        const std::int64_t constant = c == 3 ? 255 * 16 : 0;
+        const std::int64_t code =
+            c < channels ? scene.texture.levels[0].texels[static_cast<std::size_t>(at * channels + c)] * 16 : constant;
+        const std::int64_t there = outside ? state.border[static_cast<std::size_t>(c)].raw() : code;
+        const bool has_place = has_channel(kConfig.features, c);
+        ASSERT_EQ(texel[static_cast<std::size_t>(c)].raw(), has_place ? there : constant) << name << ", channel " << c;
+        asks = asks || (c == 3 && channels == 4 && !has_place && there != constant);
+      }
+    };
+    const std::array fine{got.fine_00, got.fine_10, got.fine_01, got.fine_11};
+    const std::array coarse{got.coarse_00, got.coarse_10, got.coarse_01, got.coarse_11};
+    for (int place = 0; place < 4; ++place) {
+      expect_texel(fine[static_cast<std::size_t>(place)], beat.fine_x, beat.fine_y, beat.fine_border.raw(), place);
+      if (beat.coarse_used.raw() == 0) continue;
+      expect_texel(coarse[static_cast<std::size_t>(place)], beat.coarse_x, beat.coarse_y, beat.coarse_border.raw(),
+                   place);
+    }
+    ASSERT_EQ(got.status.raw(), unsupported_if(asks)) << name;
+    ++asked[asks ? 1 : 0];
+  }
+  EXPECT_EQ(asked[1] > 0, channels == 4 && !has_channel(kConfig.features, 3));
+}
+
+TEST(fetch, channels_left_out_are_constant) {
+  expect_constant_channels<kDefaultConfig>("model_fetch.all_channels");
+  expect_constant_channels<kSimpleUnit>("model_fetch.no_alpha");
+  expect_constant_channels<kExtUnit>("model_fetch.two_channels");
+  expect_constant_channels<kPlainUnit>("model_fetch.one_channel");
+}
+
 // Corners: every texel 0 or full, every fraction at its ends, both kernels.
 TEST(filter, lattice_of_extremes) {
   for (int pattern = 0; pattern < 256; ++pattern) {

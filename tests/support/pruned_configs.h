@@ -62,10 +62,10 @@ inline constexpr Config kCrossUnit = [] {
   return config;
 }();
 
-// Everything but the factors.
+// Everything but the factors and Gaussian probes.
 inline constexpr Config kExactUnit = [] {
   Config config;
-  config.features.factors = false;
+  config.features.factors = config.features.gaussian = false;
   return config;
 }();
 
