@@ -16,15 +16,24 @@
 namespace feline::mutation {
 namespace {
 
+// A file of the sources with its sites, which are appended to `sites`.
+std::string with_sites(const std::filesystem::path& source, const std::string& file, std::vector<ModelSite>& sites) {
+  return instrument_source(read_text(source / file, "source", "a file of the model"), file, sites);
+}
+
+std::string name_of(const ModelSite& site, std::uint32_t alternative) {
+  return fmt::format("{}: {}", site.place(), site.alternative(alternative));
+}
+std::string not_run(const ModelSite& site) { return site.place() + ": not run"; }
+
 // Writes the sources with their sites where the build finds them; gives all of their text.
 std::string write_sources(const Workshop& workshop, std::vector<ModelSite>& sites) {
   const std::filesystem::path directory = workshop.directory / "model" / "sources";
   std::filesystem::remove_all(directory);
   std::string all;
   for (const std::string& file : model_files(workshop.source)) {
-    const std::string text = read_text(workshop.source / file, "source", "a file of the model");
     const std::string instrumented =
-        "#include \"testbench/mutation/model_site.h\"\n" + instrument_source(text, file, sites);
+        "#include \"testbench/mutation/model_site.h\"\n" + with_sites(workshop.source, file, sites);
     std::filesystem::create_directories((directory / file).parent_path());
     write_text(directory / file, instrumented);
     all += instrumented;
@@ -39,22 +48,16 @@ void tell_fates(const std::vector<ModelSite>& sites, const std::string& lines,
     const nlohmann::json json = nlohmann::json::parse(line);
     const std::uint32_t code = json["code"];
     const ModelSite& site = sites.at(code / kAlternatives);
-    const std::string name = fmt::format("{} at {}:{}.{}", site.token, site.file, site.line, site.column);
-    FileFates& file = by_file[site.file];
-    if (!json.value("reached", true)) {
-      file.not_run.push_back(name);
-      continue;
-    }
     Fate fate;
     fate.mutant.site = site.number;
     fate.mutant.control = code % kAlternatives;
-    fate.name = fmt::format("{}: {}", name, site.alternative(code % kAlternatives));
+    fate.name = json.value("reached", true) ? name_of(site, code % kAlternatives) : not_run(site);
     if (json.contains("tier")) {
       fate.tier = json["tier"];
       fate.stage = json["way"] == "mismatch" ? json["leaf"] : json["way"];
       fate.milliseconds = json["milliseconds"];
     }
-    file.fates.push_back(std::move(fate));
+    by_file[site.file].fates.push_back(std::move(fate));
   }
 }
 
@@ -71,12 +74,24 @@ std::vector<std::string> model_files(const std::filesystem::path& source) {
   return files;
 }
 
+std::map<std::string, std::set<std::string>> model_mutant_names(const std::filesystem::path& source) {
+  std::map<std::string, std::set<std::string>> names;
+  for (const std::string& file : model_files(source)) {
+    std::vector<ModelSite> sites;
+    with_sites(source, file, sites);
+    for (const ModelSite& site : sites) {
+      names[file].insert(not_run(site));
+      for (std::uint32_t k = 0; !site.alternative(k).empty(); ++k) names[file].insert(name_of(site, k));
+    }
+  }
+  return names;
+}
+
 std::vector<FileFates> try_model(const Workshop& workshop) {
   std::vector<ModelSite> sites;
   const std::string text = write_sources(workshop, sites);
   std::map<std::string, FileFates> by_file;
-  for (const ModelSite& site : sites)
-    ++by_file.try_emplace(site.file, FileFates{site.file, 0, {}, {}}).first->second.sites;
+  for (const ModelSite& site : sites) ++by_file.try_emplace(site.file, FileFates{site.file, 0, {}}).first->second.sites;
   Progress progress("mutants of the model", sites.size());
   progress.show();
   bool built = false;
@@ -100,7 +115,6 @@ std::vector<FileFates> try_model(const Workshop& workshop) {
   for (auto& [file, fates] : by_file) {
     std::ranges::sort(fates.fates, {},
                       [](const Fate& fate) { return std::pair(fate.mutant.site, fate.mutant.control); });
-    std::ranges::sort(fates.not_run);
     all.push_back(std::move(fates));
   }
   return all;

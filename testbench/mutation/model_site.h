@@ -18,14 +18,18 @@ inline constexpr std::uint32_t kNoModelMutant = ~0U;
 
 // Site * kAlternatives + alternative.
 inline std::uint32_t current_model_mutant = kNoModelMutant;
-// Of each site a bit for every alternative that was asked for.
+// Of each site a bit for every alternative that was asked for; kHasNone when it was done and has none.
 inline std::uint8_t* reached_alternatives = nullptr;
+inline constexpr std::uint32_t kHasNone = kAlternatives;
+
+constexpr void reach(std::uint32_t site, std::uint32_t alternative) {
+  if (std::is_constant_evaluated() || reached_alternatives == nullptr) return;
+  reached_alternatives[site] = static_cast<std::uint8_t>(reached_alternatives[site] | 1U << alternative);
+}
 
 constexpr bool instead(std::uint32_t site, std::uint32_t alternative) {
   if (std::is_constant_evaluated()) return false;
-  if (reached_alternatives != nullptr) {
-    reached_alternatives[site] = static_cast<std::uint8_t>(reached_alternatives[site] | 1U << alternative);
-  }
+  reach(site, alternative);
   return current_model_mutant == site * kAlternatives + alternative;
 }
 
@@ -54,6 +58,8 @@ struct Left {
     if constexpr (Number<T> && Number<U>) {                                                                           \
       if (instead(kSite, 0)) return first;                                                                            \
       if (instead(kSite, 1)) return second;                                                                           \
+    } else {                                                                                                          \
+      reach(kSite, kHasNone);                                                                                         \
     }                                                                                                                 \
     return a op b;                                                                                                    \
   }
@@ -129,6 +135,7 @@ constexpr decltype(auto) operator^=(Value<kSite>, T&& a) {
   } else if constexpr (requires { Plain::from_raw(a.raw()); }) {
     return instead(kSite, 0) ? Plain::from_raw(a.raw() ^ 1) : instead(kSite, 1) ? Plain{} : Plain{a};
   } else {
+    reach(kSite, kHasNone);
     return std::forward<T>(a);
   }
 }

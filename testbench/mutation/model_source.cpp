@@ -125,12 +125,16 @@ class SourceInstrumenter {
     return i;
   }
 
-  // The first ; or { outside all parentheses.
+  // The first ; or { outside all parentheses; of a constant, which has a =, the ; behind its value.
   std::size_t end_of_declaration(std::size_t i) const {
+    const bool is_constant = token(i) == "constexpr";
+    bool has_value = false;
     for (int depth = 0; i < tokens_.size(); ++i) {
-      if (token(i) == "(" || token(i) == "[") ++depth;
-      if (token(i) == ")" || token(i) == "]") --depth;
-      if (depth == 0 && (token(i) == ";" || token(i) == "{")) break;
+      const std::string_view word = token(i);
+      has_value = has_value || (is_constant && depth == 0 && word == "=");
+      if (word == "(" || word == "[" || (word == "{" && has_value)) ++depth;
+      if (word == ")" || word == "]" || (word == "}" && has_value)) --depth;
+      if (depth == 0 && (word == ";" || word == "{")) break;
     }
     return i;
   }
@@ -165,6 +169,8 @@ class SourceInstrumenter {
     }
     if (word == "case") {
       while (token(i) != ":") ++i;
+    } else if (word == "array" && token(i + 1) == "<") {
+      i = matching(i + 1, "<", ">");
     } else if (word == "enum") {
       i = matching(i, "{", "}");
     } else if (word == "if" && token(i + 1) == "constexpr") {
@@ -246,7 +252,10 @@ std::string instrument_source(std::string_view text, const std::string& file, st
 }
 
 std::string ModelSite::alternative(std::uint32_t alternative) const {
-  return std::string(std::ranges::find(kKinds, kind, &Pattern::name)->alternatives[alternative]);
+  const auto& alternatives = std::ranges::find(kKinds, kind, &Pattern::name)->alternatives;
+  return alternative < alternatives.size() ? std::string(alternatives[alternative]) : "";
 }
+
+std::string ModelSite::place() const { return fmt::format("{} at {}:{}.{}", token, file, line, column); }
 
 }  // namespace feline::mutation

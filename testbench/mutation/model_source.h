@@ -16,8 +16,10 @@ struct ModelSite {
   std::uint32_t column = 0;
   std::string token;  // "+", "return", "127"
   std::string kind;   // its name in model_site.h
-  // What is done instead, in words.
+  // What is done instead, in words; empty for a number that it has not.
   std::string alternative(std::uint32_t number) const;
+  // "+ at model/plan.h:57.20".
+  std::string place() const;
 };
 
 // The text with a site at every operator, condition, number and value of its functions, appended to `sites`. It goes by

@@ -16,6 +16,13 @@ namespace {
 constexpr std::string_view kEquivalent = "equivalent: ";
 constexpr std::string_view kUnseen = "nothing can be seen: ";
 
+bool is_reason(const std::string& text) {
+  for (const std::string_view beginning : {kEquivalent, kUnseen}) {
+    if (text.starts_with(beginning) && text.size() > beginning.size()) return true;
+  }
+  return false;
+}
+
 // Rounded down, so that only all of them are 100 %.
 std::string percent(std::size_t part, std::size_t whole) {
   if (whole == 0) return "-";
@@ -39,7 +46,6 @@ StageResult sum_of(const std::vector<StageResult>& results) {
     sum.unobserved += result.unobserved;
     for (const auto& [mutant, reason] : result.known) sum.known.emplace(result.stage + mutant, reason);
     sum.open.insert(sum.open.end(), result.open.begin(), result.open.end());
-    sum.not_run.insert(sum.not_run.end(), result.not_run.begin(), result.not_run.end());
   }
   return sum;
 }
@@ -58,7 +64,7 @@ KnownSurvivors read_known_survivors(const std::filesystem::path& file) {
                          group.contains("mutants") && group["mutants"].is_array();
       if (!whole) bad_input(file.string(), stage, group.dump(), kLegal);
       const std::string reason = group["reason"];
-      if (!reason.starts_with(kEquivalent) && !reason.starts_with(kUnseen)) {
+      if (!is_reason(reason)) {
         bad_input(file.string(), stage, reason, fmt::format("\"{}...\" or \"{}...\"", kEquivalent, kUnseen));
       }
       for (const auto& mutant : group["mutants"]) {
@@ -122,7 +128,6 @@ nlohmann::ordered_json to_json(const std::vector<StageResult>& results, std::opt
                                     {"proved_same", result.same}, {"proved_unobserved", result.unobserved},
                                     {"known", result.known},      {"open", result.open},
                                     {"stale", result.stale},      {"median_milliseconds", result.median_milliseconds}};
-    if (!result.not_run.empty()) json["stages"][result.stage]["not_run"] = result.not_run;
   }
   return json;
 }
@@ -140,10 +145,6 @@ std::string to_text(const std::vector<StageResult>& results, const std::vector<s
     out += fmt::format(" {} | {} | {} | {} | {} | {} |\n", row.same, row.unobserved, row.known.size(), row.open.size(),
                        percent(row.kills(), row.fates.size() - row.same - row.unobserved),
                        row.stage == "all" ? "" : fmt::format("{:.1f} ms", row.median_milliseconds));
-  }
-  if (!rows.empty() && !rows.back().not_run.empty()) {
-    out += fmt::format("{} sites are of constants and types, or nothing gets to them: not_run of mutation.json\n",
-                       rows.back().not_run.size());
   }
   for (const StageResult& result : results) {
     for (const std::string& name : result.open) out += fmt::format("OPEN: {}: {}\n", result.stage, name);

@@ -32,7 +32,6 @@ struct StageResult {
   std::map<std::string, std::string> known;  // not proved, but with a reason
   std::vector<std::string> open;             // nothing is known of these
   std::vector<std::string> stale;            // with a reason, but killed, proved, or refuted
-  std::vector<std::string> not_run;          // sites of the model that nothing gets to while it runs
   double median_milliseconds = 0;            // to kill
 
   std::size_t kills() const;

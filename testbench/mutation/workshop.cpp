@@ -8,6 +8,7 @@
 #include <set>
 #include <span>
 #include <stdexcept>
+#include <system_error>
 
 #include "testbench/area/yosys.h"
 #include "testbench/error.h"
@@ -65,15 +66,6 @@ std::string hash_of(const std::filesystem::path& source, std::span<const Part> p
   return all;
 }
 
-const std::filesystem::path& checked(const std::filesystem::path& source) {
-  if (!std::filesystem::exists(source / "rtl" / "feline_unit.sv") ||
-      !std::filesystem::exists(source / "testbench" / "mutation" / "build.sh")) {
-    bad_input(source.string(), "--source", "no rtl/feline_unit.sv and testbench/mutation/build.sh in it",
-              "this project's sources");
-  }
-  return source;
-}
-
 const std::filesystem::path& ready(const std::filesystem::path& directory) {
   std::filesystem::create_directories(directory);
   return directory;
@@ -81,8 +73,16 @@ const std::filesystem::path& ready(const std::filesystem::path& directory) {
 
 }  // namespace
 
+void check_source(const std::filesystem::path& source) {
+  if (!std::filesystem::exists(source / "rtl" / "feline_unit.sv") ||
+      !std::filesystem::exists(source / "testbench" / "mutation" / "build.sh")) {
+    bad_input(source.string(), "--source", "no rtl/feline_unit.sv and testbench/mutation/build.sh in it",
+              "this project's sources");
+  }
+}
+
 Workshop::Workshop(const std::filesystem::path& of_source, const std::filesystem::path& of_directory)
-    : source(checked(of_source)),
+    : source(of_source),
       directory(of_directory),
       lock(ready(directory) / "lock"),
       cache(Cache::of_parts(directory / "cache")),
@@ -90,7 +90,12 @@ Workshop::Workshop(const std::filesystem::path& of_source, const std::filesystem
       proofs(yosys_version(kMutantsNeedIt) + solver_version() + hash_of(source, kProofs)) {}
 
 std::string run_program(const std::vector<std::string>& command, const std::string& input) {
-  const page::Finished finished = page::run_process(command, input);
+  page::Finished finished;
+  try {
+    finished = page::run_process(command, input);
+  } catch (const std::system_error& error) {
+    throw std::runtime_error(fmt::format("{}: {}", command.front(), error.what()));
+  }
   if (finished.code != 0) {
     throw std::runtime_error(
         fmt::format("{}: exit code {}\n{}{}", command.front(), finished.code, finished.output, finished.errors));

@@ -10,11 +10,13 @@
 
 namespace feline::mutation {
 
+// Throws InputError naming `--source` for other sources than this project's.
+void check_source(const std::filesystem::path& source);
+
 // Where mutants are built, and what is known from before. Its results follow from the sources, whatever build of this
 // program makes them.
 struct Workshop {
-  // Throws InputError naming `--source` for other sources than this project's, when a tool is not there, or while
-  // another run has the directory.
+  // Of checked sources. Throws InputError when a tool is not there, or while another run has the directory.
   Workshop(const std::filesystem::path& source, const std::filesystem::path& directory);
 
   std::filesystem::path source;     // of the project

@@ -70,12 +70,35 @@ void check_known(const std::string& name, const Has& has, const mutation::KnownS
   }
 }
 
-mutation::StageResult run_stage(const std::string& name, const MutateOptions& options,
+// Wrong reasons are told before the work.
+std::vector<mutation::StageMutants> prepare_stages(const std::vector<std::string>& names, const MutateOptions& options,
+                                                   const mutation::Workshop& workshop,
+                                                   const mutation::KnownSurvivors& known) {
+  std::vector<mutation::StageMutants> stages;
+  for (const std::string& name : names) {
+    std::filesystem::create_directories(workshop.directory / name);
+    stages.emplace_back(name, workshop.source, workshop.directory / name);
+    check_known(
+        name, [&](const std::string& mutant) { return stages.back().has(mutant); }, known, options);
+  }
+  return stages;
+}
+
+std::vector<mutation::StageResult> run_model(const MutateOptions& options, const mutation::Workshop& workshop,
+                                             const mutation::KnownSurvivors& known) {
+  for (const auto& [file, names] : mutation::model_mutant_names(options.source)) {
+    check_known(
+        file, [&names = names](const std::string& mutant) { return names.contains(mutant); }, known, options);
+  }
+  std::vector<mutation::StageResult> results;
+  for (mutation::FileFates& file : try_model(workshop)) {
+    results.push_back(judge(file.file, file.sites, std::move(file.fates), known));
+  }
+  return results;
+}
+
+mutation::StageResult run_stage(const mutation::StageMutants& stage, const MutateOptions& options,
                                 const mutation::Workshop& workshop, const mutation::KnownSurvivors& known) {
-  std::filesystem::create_directories(workshop.directory / name);
-  const mutation::StageMutants stage(name, workshop.source, workshop.directory / name);
-  check_known(
-      name, [&](const std::string& mutant) { return stage.has(mutant); }, known, options);
   std::vector<mutation::Fate> fates;
   const auto mutants = options.roms ? mutation::rom_mutants(stage.roms())
                                     : mutation::draw_mutants(stage.sites(), options.count, options.seed);
@@ -92,35 +115,31 @@ mutation::StageResult run_stage(const std::string& name, const MutateOptions& op
   } else {
     try_mutants(stage, {"close", "pace", "suite"}, workshop, fates);
   }
-  if (name == mutation::kUnitName) {
+  if (stage.stage() == mutation::kUnitName) {
     prove_ports(stage, workshop, fates);  // the unit is too large to say what nobody sees of it
   } else {
     compare_logic(stage, mutation::Fate::Logic::kUnobserved, workshop, fates);
   }
   try_leaves(stage, false, workshop, fates);
   try_mutants(stage, {"long"}, workshop, fates);
-  return judge(name, stage.sites().size(), std::move(fates), known);
+  return judge(stage.stage(), stage.sites().size(), std::move(fates), known);
 }
 
 int run_mutate(const MutateOptions& options) {
   const std::vector<std::string> stages = chosen_stages(options.stages);
   const std::filesystem::path directory = std::filesystem::absolute(options.output);
+  mutation::check_source(options.source);
   const mutation::KnownSurvivors known = mutation::read_known_survivors(known_file(options));
+  check_known(known, options);
   prepare_directory(options.output, {"mutation.json", "mutation.md"});
   const mutation::Workshop workshop(options.source, directory);
-  check_known(known, options);
   std::vector<mutation::StageResult> results;
   if (options.model) {
-    for (mutation::FileFates& file : try_model(workshop)) {
-      const auto has = [&](const std::string& mutant) {
-        return std::ranges::find(file.fates, mutant, &mutation::Fate::name) != file.fates.end();
-      };
-      check_known(file.file, has, known, options);
-      results.push_back(judge(file.file, file.sites, std::move(file.fates), known));
-      results.back().not_run = std::move(file.not_run);
-    }
+    results = run_model(options, workshop, known);
   } else {
-    for (const std::string& name : stages) results.push_back(run_stage(name, options, workshop, known));
+    for (const mutation::StageMutants& stage : prepare_stages(stages, options, workshop, known)) {
+      results.push_back(run_stage(stage, options, workshop, known));
+    }
   }
   const std::vector<std::string> tiers =
       options.model ? std::vector<std::string>{"smoke", "unit", "leaves", "tests"}

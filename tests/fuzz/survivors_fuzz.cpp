@@ -7,7 +7,8 @@ void feline::fuzz::run(Input input) {
   const auto path = file_with("survivors.json", input.rest());
   accepts([&] {
     for (const auto& [stage, mutants] : mutation::read_known_survivors(path)) {
-      for (const auto& [mutant, reason] : mutants) require(!reason.empty(), "read_known_survivors: reasons");
+      for (const auto& [mutant, reason] : mutants)
+        require(reason.size() > reason.find(": ") + 2, "read_known_survivors: reasons");
     }
   });
 }

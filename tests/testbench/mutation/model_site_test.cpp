@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 namespace feline::mutation {
 namespace {
 
@@ -77,6 +79,10 @@ TEST_F(mutation_model_site, constants_stay) {
   EXPECT_EQ(sum(3, 5, 7), 15);
   EXPECT_EQ(reached[1], 3);
   EXPECT_EQ(reached[2], 3);
+  // Of what has no other value it is known that it was done.
+  const std::string text = Value<3>{} ^= std::string("a");
+  EXPECT_EQ(text, "a");
+  EXPECT_EQ(reached[3], 1U << kHasNone);
 }
 
 }  // namespace

@@ -34,12 +34,15 @@ TEST(mutation_model_source, numbers_values_and_conditions) {
 // What is known to the compiler, what is no operator, and what would not be the same thing any more.
 TEST(mutation_model_source, leaves_the_rest) {
   for (const char* const text :
-       {"constexpr int kX = 1 + 2;", "template <int kN = 3>\nint f(int a);", "std::vector<std::vector<int>> f(T&& a);",
-        "static_assert(1 + 1 == 2);", "enum class X { kA = 1, kB = 2 };", "// a + b\n", "f(\"a + b\", x2, 1.5);",
-        "case 3: return;", "auto& a = b;", "return {a, b};", "X& operator=(const X&) = default;", "*a;", "#if 1 + 1\n",
+       {"constexpr int kX = 1 + 2;", "constexpr auto kX = std::int64_t{1} << (2 + 3);", "std::array<int, 4> x;",
+        "template <int kN = 3>\nint f(int a);", "std::vector<std::vector<int>> f(T&& a);", "static_assert(1 + 1 == 2);",
+        "enum class X { kA = 1, kB = 2 };", "// a + b\n", "f(\"a + b\", x2, 1.5);", "case 3: return;", "auto& a = b;",
+        "return {a, b};", "X& operator=(const X&) = default;", "*a;", "#if 1 + 1\n",
         "bool operator==(const X&) const = default;"}) {
     EXPECT_EQ(instrumented(text), text);
   }
+  EXPECT_EQ(instrumented("constexpr int f(int a = 1) { return 1 + a; }"),
+            "constexpr int f(int a = 1) { return Value<0>{} ^= literal<1>(1) + Plus<2>{} + a; }");
   EXPECT_EQ(instrumented("if constexpr (k < 3) f(1);"), "if constexpr (k < 3) f(literal<0>(1));");
   EXPECT_EQ(instrumented("if (const auto x = f()) g();"), "if (const auto x = Value<0>{} ^= f()) g();");
 }

@@ -25,6 +25,7 @@ TEST(mutation_report, survivors_have_reasons) {
   EXPECT_THROW(read("{"), InputError);
   EXPECT_THROW(read(R"({"walk": [{"reason": "", "mutants": ["a"]}]})"), InputError);
   EXPECT_THROW(read(R"({"walk": [{"reason": "the same", "mutants": ["a"]}]})"), InputError);
+  EXPECT_THROW(read(R"({"walk": [{"reason": "equivalent: ", "mutants": ["a"]}]})"), InputError);
   EXPECT_THROW(read(R"({"walk": [{"mutants": ["a"]}]})"), InputError);
   EXPECT_THROW(read(R"({"walk": [{"reason": "equivalent: r", "mutants": ["a", "a"]}]})"), InputError);
   EXPECT_THROW(read(R"({"walk": [{"reason": "equivalent: r", "mutants": [1]}]})"), InputError);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "testbench/mutation/mutation_report.h"
 #include "tests/testbench/temp_dir.h"
 
 namespace feline::mutation {
@@ -30,6 +31,19 @@ TEST(stage_mutants_long, every_site_has_a_name_of_its_own) {
   ASSERT_FALSE(names.empty());
   EXPECT_FALSE(stage.has(*names.begin() + "s"));
   EXPECT_FALSE(stage.has("$add at rtl/feline_walk.sv:1.1-1.2, port A, bit 0 of 4: zero"));
+}
+
+TEST(stage_mutants_long, reasons_are_of_mutants_that_there_are) {
+  const std::filesystem::path source = FELINE_SOURCE_DIR;
+  std::size_t reasons = 0;
+  for (const auto& [name, mutants] : read_known_survivors(source / "testbench/mutation/survivors.json")) {
+    if (name.find('/') != std::string::npos) continue;  // a file of the model
+    const TempDir directory;
+    const StageMutants stage(name, source, directory / ".");
+    for (const auto& [mutant, reason] : mutants) EXPECT_TRUE(stage.has(mutant)) << name << ": " << mutant;
+    reasons += mutants.size();
+  }
+  EXPECT_GT(reasons, 0U);
 }
 
 TEST(stage_mutants_long, tells_what_may_touch_a_stream) {

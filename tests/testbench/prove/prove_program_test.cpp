@@ -118,6 +118,27 @@ TEST(prove_program, a_wrong_netlist_is_told) {
             1);
 }
 
+// What the program does not prove by itself is nobody's certificate: neither of another model, though RTL and netlist
+// are alike, nor of the one that it was built from.
+TEST(prove_program, a_certificate_is_of_what_the_program_was_built_from) {
+  const TempDir dir;
+  const std::filesystem::path source = copy_sources(dir);
+  const std::string leaf = "prove --leaf filter.kernel_weight ";
+  const std::string other = " --source " + quoted_path(dir, "source");
+  ASSERT_EQ(run(leaf + "--output " + quoted_path(dir, "own")).code, 0);
+  const std::string own_check = leaf + "--check " + quoted_path(dir, "own/certificate.json");
+  replace_once(source / "model/filter.h", "// The weight of the farther", "// What weight is of the farther");
+  EXPECT_EQ(run(own_check + other).code, 0);
+  replace_once(source / "model/filter.h", "if (!gaussian) return fraction;", "if (!gaussian) return 0 + fraction;");
+  EXPECT_EQ(run(own_check + other).code, 1);
+  EXPECT_EQ(run(leaf + other + " --output " + quoted_path(dir, "proof")).code, 0);
+  for (const std::string& checked : {std::string(), other}) {
+    const Outcome outcome = run(leaf + "--check " + quoted_path(dir, "proof/certificate.json") + checked);
+    EXPECT_EQ(outcome.code, 1) << outcome.text;
+    EXPECT_NE(outcome.text.find("other sources"), std::string::npos) << outcome.text;
+  }
+}
+
 // Another run would write its certificate over this one's.
 TEST(prove_program, is_of_one_run_at_a_time_in_a_directory) {
   const TempDir dir;
@@ -162,6 +183,7 @@ TEST(prove_program, refuses_and_says_what_is_legal) {
     expect_refused(dir, std::string("prove --shard=") + shard + output, {"--shard", shard, "I/N, 0 <= I < N"});
   }
   expect_refused(dir, "prove --source /nonexistent --leaf walk --output /tmp", {"/nonexistent", "--source"});
+  expect_refused(dir, "prove --list --shard 0/2", {"--shard", "--list"});
   expect_refused(dir, "prove --check /nonexistent.json", {"/nonexistent.json"});
   expect_refused(dir, "prove --merge " + quoted_path(dir, "m.json"), {"--merge", "--check"});
   expect_refused(dir, "prove --output /proc/proof", {"/proc/proof"});
