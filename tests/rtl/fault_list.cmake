@@ -49,6 +49,9 @@ feline_fault(plan radius_never_widened feline_fit_radius "minor_i > widened" "mi
 feline_fault(plan level_rounds_down feline_level_of_radius
              "(FractionBits + 2)'(aligned[DroppedBits-1])" "(FractionBits + 2)'(aligned[DroppedBits-1])" "0")
 feline_fault(plan level_tie_goes_to_coarser feline_sampled_level "lambda) + BelowHalf" "BelowHalf" "BelowHalf + 1")
+feline_fault(plan one_probe_too_many feline_choose_probes
+             "probes_o = max_probes_i" "max_probes_i" "max_probes_i + 1'b1")
+feline_fault(plan last_level_unseen feline_sampled_level "level < last" "level < last" "1'b1")
 feline_fault(plan magnification_unseen feline_sampled_level "lambda == '0" "lambda == '0" "1'b0")
 feline_fault(plan step_sign_lost feline_half_step "negative ? -rounded" "negative" "1'b0")
 feline_fault(plan weight_row_of_one_probe_less feline_choose_weight_row

@@ -78,7 +78,7 @@ function(feline_watch stage input has_sampler)
   feline_replace_once(feline_${stage} "endmodule" "  logic rules_legal;
   feline_rules_${stage} u_rules (.clk_i, .rst_i,${sampler}${others} .${input}_valid_i, .${input}_ready_o, .${input}_i,
                                  .legal_o(rules_legal));
-  feline_rules_watch u_watch (.clk_i, .rst_i, .changed_i(${changed}), .legal_i(rules_legal));
+  feline_rules_watch #(.Stage(\"${stage}\")) u_watch (.clk_i, .rst_i, .changed_i(${changed}), .legal_i(rules_legal));
 endmodule")
   # Unlike a fault, rules that nobody watches would break no test.
   file(READ ${FAULTY_DIR}/feline_${stage}.sv text)
@@ -99,8 +99,8 @@ file(GLOB RULES_FILES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/testbench/mutation/r
 
 file(WRITE ${FAULTY_DIR}/fault_table.inc "${FAULT_TABLE}")
 list(TRANSFORM RTL_FILES REPLACE ".*/" "${FAULTY_DIR}/" OUTPUT_VARIABLE FAULTY_FILES)
-# Mutants need not be lint-clean.
-feline_verilated(feline_faulty tests/rtl/faulty_unit.cpp -O1 TRACE_FST WARNINGS -Wno-lint FILES ${FAULTY_DIR}/feline_fault_pkg.sv ${FAULTY_FILES}
+# Mutants need not be lint-clean, but a port of rules that is not connected would read as 0.
+feline_verilated(feline_faulty tests/rtl/faulty_unit.cpp -O1 TRACE_FST WARNINGS "-Wno-lint;-Wwarn-PINMISSING" FILES ${FAULTY_DIR}/feline_fault_pkg.sv ${FAULTY_FILES}
                 ${RULES_FILES} ${CMAKE_SOURCE_DIR}/tests/rtl/feline_rules_watch.sv)
 target_include_directories(feline_faulty PUBLIC ${FAULTY_DIR})
 

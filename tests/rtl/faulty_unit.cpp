@@ -10,18 +10,18 @@
 
 namespace {
 thread_local int current_fault = 0;
-thread_local std::uint64_t rules_broken = 0;
+thread_local feline::BrokenRules rules_broken;
 }  // namespace
 
 // Called from the RTL (DPI-C).
 extern "C" int feline_fault() { return current_fault; }
-extern "C" void feline_rule_broken() { ++rules_broken; }
+extern "C" void feline_rule_broken(const char* stage) { ++rules_broken[stage]; }
 
 namespace feline {
 
 void set_fault(int number) { current_fault = number; }
 
-std::uint64_t take_broken_rules() { return std::exchange(rules_broken, 0); }
+BrokenRules take_broken_rules() { return std::exchange(rules_broken, {}); }
 
 std::unique_ptr<RtlUnit> make_faulty_unit(std::uint64_t seed) {
   return std::make_unique<VerilatedUnit<Vfeline_faulty>>(seed);

@@ -3,16 +3,18 @@
 // gets. changed_i: the sampler state is another one, which is the driver's right between two batches.
 `default_nettype none
 
-module feline_rules_watch (
+module feline_rules_watch #(
+  parameter string Stage = ""
+) (
   input wire logic clk_i,
   input wire logic rst_i,
   input wire logic changed_i,
   input wire logic legal_i
 );
-  import "DPI-C" function void feline_rule_broken();
+  import "DPI-C" function void feline_rule_broken(input string stage);
 
   always_ff @(posedge clk_i) begin
-    if (!rst_i && !changed_i && !legal_i) feline_rule_broken();
+    if (!rst_i && !changed_i && !legal_i) feline_rule_broken(Stage);
   end
 endmodule
 
