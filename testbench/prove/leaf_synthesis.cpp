@@ -55,14 +55,14 @@ LeafSynthesis::LeafSynthesis(const Sources& sources, std::filesystem::path root)
        {"tables/generated/", &rtl_},
        {"testbench/prove/rtl_leaves/", &leaves_},
        {"testbench/prove/proofs/", &proofs_}}};
-  for (const auto& [file, text] : sources) {
-    std::string bare = without_comments(text);
-    const std::filesystem::path path = file;
+  for (const auto& source : sources) {
+    const std::string& file = source.first;
+    std::string bare = without_comments(source.second);
     const auto room = std::ranges::find_if(rooms, [&](const auto& each) { return file.starts_with(each.first); });
     if (file == kPackage) {
       package_ = std::move(bare);
     } else if (room != rooms.end()) {
-      room->second->push_back({path.stem().string(), file, std::move(bare)});
+      room->second->push_back({std::filesystem::path(file).stem().string(), file, std::move(bare)});
     } else {
       evaluating_[file] = std::move(bare);
     }

@@ -133,7 +133,10 @@ TEST(prove_program, a_certificate_is_of_what_the_program_was_built_from) {
   EXPECT_EQ(run(own_check + other).code, 1);
   EXPECT_EQ(run(leaf + other + " --output " + quoted_path(dir, "proof")).code, 0);
   for (const std::string& checked : {std::string(), other}) {
-    const Outcome outcome = run(leaf + "--check " + quoted_path(dir, "proof/certificate.json") + checked);
+    std::string check = leaf;
+    check += "--check " + quoted_path(dir, "proof/certificate.json");
+    check += checked;
+    const Outcome outcome = run(check);
     EXPECT_EQ(outcome.code, 1) << outcome.text;
     EXPECT_NE(outcome.text.find("other sources"), std::string::npos) << outcome.text;
   }
