@@ -6,9 +6,11 @@
 #include <cmath>
 
 #include "model/footprint.h"
+#include "model/make_sampler.h"
 #include "tests/support/describe.h"
 #include "tests/support/footprints.h"
 #include "tests/support/oracle.h"
+#include "tests/support/pruned_configs.h"
 #include "tests/support/random_beat.h"
 
 namespace feline {
@@ -106,6 +108,37 @@ TEST(plan, lattice_of_ratios) {
         }
       }
     }
+  }
+}
+
+// A texel is 128 at exponent 0, the last bit of a radius at exponent 7, and less than that from 8 on.
+TEST(plan, radii_are_clamped_to_a_texel) {
+  const auto clamped = [](std::int64_t major, std::int64_t minor, int exponent) {
+    FootprintBeat<kDefaultConfig> shaped;
+    shaped.major_radius = shaped.major_radius.from_raw(major);
+    shaped.minor_radius = shaped.minor_radius.from_raw(minor);
+    shaped.exponent = shaped.exponent.from_raw(exponent);
+    const ClampedRadii radii = clamp_radii<kDefaultConfig>(shaped, Mode::kTable, 256);
+    return std::array<std::int64_t, 3>{radii.magnified ? 1 : 0, radii.major, radii.minor};
+  };
+  using Radii = std::array<std::int64_t, 3>;
+  EXPECT_EQ(clamped(127, 5, 0), (Radii{1, 127, 127}));
+  EXPECT_EQ(clamped(128, 5, 0), (Radii{0, 128, 128}));
+  EXPECT_EQ(clamped(129, 5, 0), (Radii{0, 129, 128}));
+  EXPECT_EQ(clamped(8192, 0, 6), (Radii{0, 8192, 2}));
+  EXPECT_EQ(clamped(8192, 0, 7), (Radii{0, 8192, 1}));
+  EXPECT_EQ(clamped(8192, 0, 8), (Radii{0, 8192, 0}));
+  EXPECT_EQ(clamped(0, 0, 8), (Radii{1, 0, 0}));
+}
+
+// What a unit without blending has of a level between two is the finer one, and said to be another.
+TEST(plan, levels_without_blending_are_whole) {
+  const auto state = make_sampler<kExtUnit>(plain_options(Mode::kTrilinear),
+                                            TextureShape{TexelFormat::kR8, false, 2048, 2048, 12, {}});
+  for (std::int64_t base = 0; base <= 11 << 8; ++base) {
+    const LevelChoice choice = choose_level<kExtUnit>(base, Mode::kTrilinear, state);
+    ASSERT_EQ(choice.level_of_detail, base >> 8 << 8);
+    ASSERT_EQ(choice.missing, base % 256 != 0);
   }
 }
 

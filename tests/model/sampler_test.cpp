@@ -80,9 +80,12 @@ TEST(sampler, refuses_what_the_machine_cannot_hold) {
                                       {"level_bias", [](auto& o, auto&) { o.level_bias = -16.01; }},
                                       {"max_level", [](auto& o, auto&) { o.max_level = -1; }},
                                       {"min_level", [](auto& o, auto&) { o.min_level = 2, o.max_level = 1; }},
+                                      {"min_level", [](auto& o, auto&) { o.min_level = -0.01; }},
                                       {"border", [](auto& o, auto&) { o.border[2] = 1.5; }},
+                                      {"border", [](auto& o, auto&) { o.border[0] = -0.01; }},
                                       {"levels", [](auto&, auto& t) { t.levels.clear(); }},
                                       {"levels", [](auto&, auto& t) { t.levels.push_back(t.levels.back()); }},
+                                      {"level 0", [](auto&, auto& t) { t.levels[0].texels.pop_back(); }},
                                       {"level 1", [](auto&, auto& t) { t.levels[1].width = 3; }},
                                       {"level 1", [](auto&, auto& t) { t.levels[1].height = 3; }},
                                       {"level 2", [](auto&, auto& t) { t.levels[2].texels.pop_back(); }},
@@ -129,6 +132,13 @@ TEST(sampler, refuses_shapes) {
   EXPECT_EQ(refusal_of<kHoledTableUnit>(4, 8, 1), "none");
 }
 
+TEST(sampler, levels_lie_where_the_shape_says) {
+  const State state = make_sampler<kDefaultConfig>({}, TextureShape{TexelFormat::kR8, false, 4, 4, 3, {7, 5, 9}});
+  for (const auto& [level, line] : {std::pair{0U, 7}, {1U, 5}, {2U, 9}, {3U, 0}}) {
+    EXPECT_EQ(state.level_base[level].raw(), line);
+  }
+}
+
 // OpenGL 4.6, 8.14.2: a border has the channels that the texture has.
 TEST(sampler, border_has_the_channels_of_the_format) {
   Random random(3);
@@ -144,6 +154,20 @@ TEST(sampler, border_has_the_channels_of_the_format) {
   EXPECT_EQ(border_of(TexelFormat::kR8), (std::array{0.2, 0.0, 0.0, 1.0}));
   EXPECT_EQ(border_of(TexelFormat::kRg8), (std::array{0.2, 0.4, 0.0, 1.0}));
   EXPECT_EQ(border_of(TexelFormat::kRgba8), (std::array{0.2, 0.4, 0.6, 0.8}));
+}
+
+TEST(memory, opaque_is_what_has_an_alpha_that_is_one_everywhere) {
+  EXPECT_FALSE(TextureMemory{}.is_opaque);
+  EXPECT_EQ(TextureMemory{}.first_line, 0);
+  Random random(4);
+  for (const auto format : {TexelFormat::kR8, TexelFormat::kRg8, TexelFormat::kRgba8}) {
+    TestScene scene = make_scene(random, 5, 3, format, false, Content::kNoise);
+    EXPECT_FALSE(scene.memory.is_opaque);
+    for (MipLevel& level : scene.texture.levels) std::ranges::fill(level.texels, std::uint8_t{255});
+    EXPECT_EQ(layout_texture(scene.texture).is_opaque, format == TexelFormat::kRgba8);
+    scene.texture.levels[1].texels.back() = 254;
+    EXPECT_FALSE(layout_texture(scene.texture).is_opaque);
+  }
 }
 
 TEST(memory, a_texture_may_lie_anywhere) {
