@@ -9,9 +9,9 @@
 
 namespace feline {
 
-page::Finished run_tool(const std::vector<std::string>& command, std::string_view package, std::string_view needs_it) {
+Finished run_tool(const std::vector<std::string>& command, std::string_view package, std::string_view needs_it) {
   try {
-    return page::run_process(command, "");
+    return run_process(command, "");
   } catch (const std::system_error& error) {
     throw InputError(
         fmt::format("{}: {}; {} (Debian package {})", command.front(), error.code().message(), needs_it, package));

@@ -5,12 +5,12 @@
 #include <string_view>
 #include <vector>
 
-#include "testbench/page/process.h"
+#include "testbench/process.h"
 
 namespace feline {
 
 // Runs a tool of this Debian package. `needs_it` is who, for the message: "areas need it". Throws InputError, which
 // says what to install, when it is not there.
-page::Finished run_tool(const std::vector<std::string>& command, std::string_view package, std::string_view needs_it);
+Finished run_tool(const std::vector<std::string>& command, std::string_view package, std::string_view needs_it);
 
 }  // namespace feline

@@ -126,7 +126,7 @@ std::vector<StageArea> Synthesis::run(const std::string& source, const std::stri
       "abc -liberty {2} -constr {3} -script {4}\nopt_clean -purge\ntee -q -o {5} stat -json",
       in_quotes(verilog.temporary()), fmt::format(fmt::runtime(commands), in_quotes(words.temporary())),
       in_quotes(library_), in_quotes(constraints.temporary()), kMapping, cells.temporary().string());
-  const page::Finished finished = run_yosys({"-q", "-p", script}, kNeedsIt);
+  const Finished finished = run_yosys({"-q", "-p", script}, kNeedsIt);
   if (finished.code != 0) {
     throw InputError(fmt::format("yosys: exit code {}: {}", finished.code, finished.errors));
   }

@@ -13,18 +13,18 @@ constexpr std::string_view kPackage = "yosys";
 
 }  // namespace
 
-page::Finished run_yosys(const std::vector<std::string>& arguments, std::string_view needs_it) {
+Finished run_yosys(const std::vector<std::string>& arguments, std::string_view needs_it) {
   std::vector<std::string> command{"yosys"};
   command.insert(command.end(), arguments.begin(), arguments.end());
   return run_tool(command, kPackage, needs_it);
 }
 
-page::Finished run_abc(const std::string& commands, std::string_view needs_it, std::optional<int> seconds) {
+Finished run_abc(const std::string& commands, std::string_view needs_it, std::optional<int> seconds) {
   std::vector<std::string> command{"yosys-abc", "-q", commands};
   // abc looks at its own limits in places only.
   if (!seconds) return run_tool(command, kPackage, needs_it);
   command.insert(command.begin(), {"timeout", std::to_string(*seconds)});
-  page::Finished finished = run_tool(command, "coreutils", needs_it);
+  Finished finished = run_tool(command, "coreutils", needs_it);
   constexpr int kNotFound = 127;  // of timeout
   if (finished.code == kNotFound)
     throw InputError(fmt::format("{}{} (Debian package {})", finished.errors, needs_it, kPackage));
@@ -32,7 +32,7 @@ page::Finished run_abc(const std::string& commands, std::string_view needs_it, s
 }
 
 std::string yosys_version(std::string_view needs_it) {
-  const page::Finished told = run_yosys({"-V"}, needs_it);
+  const Finished told = run_yosys({"-V"}, needs_it);
   return told.output.substr(0, told.output.find(" ("));
 }
 

@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 std::string quoted(const std::filesystem::path& path) { return fmt::format("\"{}\"", path.string()); }
 
 void run_script(const std::string& script) {
-  const page::Finished finished = run_yosys({"-q", "-p", script}, kMutantsNeedIt);
+  const Finished finished = run_yosys({"-q", "-p", script}, kMutantsNeedIt);
   if (finished.code != 0) throw std::runtime_error(fmt::format("yosys: {}{}", finished.output, finished.errors));
 }
 

@@ -27,7 +27,7 @@ bool says(const std::string& text, std::string_view words) { return text.find(wo
 
 // What abc says in so many seconds. Throws std::runtime_error when it fails otherwise.
 std::string ask_abc(const std::string& commands) {
-  const page::Finished finished = run_abc(commands, kMutantsNeedIt, kPatienceOfAbc);
+  const Finished finished = run_abc(commands, kMutantsNeedIt, kPatienceOfAbc);
   if (finished.code != 0 && finished.code != kOutOfTime) {
     throw std::runtime_error(
         fmt::format("yosys-abc: exit code {}\n{}{}", finished.code, finished.output, finished.errors));
@@ -106,8 +106,8 @@ Satisfied satisfy(const Aiger& aiger, int seconds) {
   constexpr int kNever = 20;
   const AtomicFile clauses(std::filesystem::temp_directory_path() / "feline-formula.cnf");
   write_text(clauses.temporary(), to_clauses(aiger));
-  const page::Finished finished = run_tool(
-      {"cadical", "-q", "-t", std::to_string(seconds), clauses.temporary().string()}, kSolverPackage, kMutantsNeedIt);
+  const Finished finished = run_tool({"cadical", "-q", "-t", std::to_string(seconds), clauses.temporary().string()},
+                                     kSolverPackage, kMutantsNeedIt);
   if (finished.code == kNever) return {Answer::kNever, {}};
   if (finished.code == kSometimes) return {Answer::kSometimes, inputs_from(finished.output, aiger.inputs.size())};
   if (finished.code == 0) return {};

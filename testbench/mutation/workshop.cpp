@@ -90,9 +90,9 @@ Workshop::Workshop(const std::filesystem::path& of_source, const std::filesystem
       proofs(yosys_version(kMutantsNeedIt) + solver_version() + hash_of(source, kProofs)) {}
 
 std::string run_program(const std::vector<std::string>& command, const std::string& input) {
-  page::Finished finished;
+  Finished finished;
   try {
-    finished = page::run_process(command, input);
+    finished = run_process(command, input);
   } catch (const std::system_error& error) {
     throw std::runtime_error(fmt::format("{}: {}", command.front(), error.what()));
   }

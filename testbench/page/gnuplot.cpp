@@ -8,7 +8,7 @@
 
 #include "testbench/error.h"
 #include "testbench/page/html.h"
-#include "testbench/page/process.h"
+#include "testbench/process.h"
 
 namespace feline::page {
 namespace {

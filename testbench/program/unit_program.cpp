@@ -8,7 +8,7 @@
 #include "tables/emit.h"
 #include "testbench/atomic_file.h"
 #include "testbench/error.h"
-#include "testbench/page/process.h"
+#include "testbench/process.h"
 #include "testbench/program/command_line.h"
 #include "testbench/program/commands.h"
 #include "testbench/progress.h"
@@ -47,7 +47,7 @@ nlohmann::ordered_json run_unit_program(const std::string& source, const std::st
   // About as long as each other.
   Progress progress("building and running the unit", 2);
   progress.show();
-  const page::Finished built = page::run_process({script.string(), unit.string(), target}, "");
+  const Finished built = run_process({script.string(), unit.string(), target}, "");
   if (built.code != 0) {
     throw std::runtime_error(
         fmt::format("{}: exit code {}\n{}{}", script.string(), built.code, built.output, built.errors));
@@ -55,7 +55,7 @@ nlohmann::ordered_json run_unit_program(const std::string& source, const std::st
   progress.advance(1);
   std::vector<std::string> program{(unit / "build" / target).string()};
   program.insert(program.end(), arguments.begin(), arguments.end());
-  const page::Finished finished = page::run_process(program, "");
+  const Finished finished = run_process(program, "");
   if (finished.code != kHolds && finished.code != kBroken) {
     throw InputError(finished.errors.empty() ? fmt::format("{}: exit code {}", target, finished.code)
                                              : finished.errors.substr(0, finished.errors.find_last_not_of('\n') + 1));

@@ -112,7 +112,7 @@ Netlist LeafSynthesis::netlist(std::string_view wrapper, const Cache& cache) con
   const AtomicFile verilog(work / "feline-leaf.sv");
   const AtomicFile json(work / "feline-leaf.json");
   write_text(verilog.temporary(), text);
-  const page::Finished finished = run_yosys(
+  const Finished finished = run_yosys(
       {"-q", "-p", fmt::format(fmt::runtime(kScript), verilog.temporary().string(), module, json.temporary().string())},
       kNeedsIt);
   if (finished.code != 0) throw InputError(fmt::format("yosys: exit code {}: {}", finished.code, finished.errors));

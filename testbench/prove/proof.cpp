@@ -61,10 +61,10 @@ Answer ask(const Proof& proof, const std::string& verilog, std::string& said) {
   const Engine& engine = kEngines[static_cast<std::size_t>(proof.method)];
   const std::string script = fmt::format(fmt::runtime(kCircuit), source.temporary().string(), proof.name,
                                          aiger_option(proof), circuit.temporary().string());
-  const page::Finished yosys = run_yosys({"-q", "-p", script}, kNeed);
+  const Finished yosys = run_yosys({"-q", "-p", script}, kNeed);
   if (yosys.code != 0) throw InputError(fmt::format("yosys: exit code {}: {}", yosys.code, yosys.errors));
-  const page::Finished abc = run_abc(
-      fmt::format(fmt::runtime(engine.commands), circuit.temporary().string(), kPatience), kNeed, kPatience + kGrace);
+  const Finished abc = run_abc(fmt::format(fmt::runtime(engine.commands), circuit.temporary().string(), kPatience),
+                               kNeed, kPatience + kGrace);
   said = abc.output + abc.errors;
   const auto says = [&](std::string_view text) { return said.find(text) != std::string::npos; };
   if (abc.code != 0) return Answer::kUnknown;

@@ -6,7 +6,7 @@
 
 #include "testbench/page/html.h"
 #include "testbench/page/plot.h"
-#include "testbench/page/process.h"
+#include "testbench/process.h"
 #include "tests/testbench/html_check.h"
 #include "tests/testbench/temp_dir.h"
 

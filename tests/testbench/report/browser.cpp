@@ -7,7 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "testbench/page/process.h"
+#include "testbench/process.h"
 
 namespace feline {
 namespace {
@@ -32,10 +32,10 @@ window.onload = () => {{
 </script></body></html>
 )html";
 
-page::Finished run_chromium(const std::vector<std::string>& arguments) {
+Finished run_chromium(const std::vector<std::string>& arguments) {
   std::vector<std::string> command{"timeout", "120", "chromium"};
   command.insert(command.end(), arguments.begin(), arguments.end());
-  page::Finished finished = page::run_process(command, "");
+  Finished finished = run_process(command, "");
   if (finished.code == 127) {
     throw std::runtime_error("no chromium on the PATH (Debian package chromium): ./tests/run --all installs it");
   }
@@ -79,7 +79,7 @@ Visit visit(const TempDir& dir, const std::filesystem::path& page, int width, bo
   const std::filesystem::path log = dir / "network.json";
   std::filesystem::remove_all(profile);
   std::filesystem::remove(log);
-  const page::Finished finished = run_chromium(
+  const Finished finished = run_chromium(
       {"--headless", "--no-sandbox", "--user-data-dir=" + profile.string(), "--allow-file-access-from-files",
        "--disable-background-networking", "--disable-component-update", "--no-first-run",
        "--host-resolver-rules=MAP * ~NOTFOUND", "--enable-logging=stderr", "--v=0", "--log-net-log=" + log.string(),

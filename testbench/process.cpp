@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "testbench/page/process.h"
+#include "testbench/process.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -12,7 +12,7 @@
 #include <cerrno>
 #include <system_error>
 
-namespace feline::page {
+namespace feline {
 namespace {
 
 [[noreturn]] void fail(int error, const std::string& what) {
@@ -113,4 +113,4 @@ Finished run_process(const std::vector<std::string>& command, std::string_view i
   return finished;
 }
 
-}  // namespace feline::page
+}  // namespace feline

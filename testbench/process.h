@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace feline::page {
+namespace feline {
 
 struct Finished {
   int code = 0;  // exit code; 128 + the signal that ended it
@@ -17,4 +17,4 @@ struct Finished {
 // not read all of it is no error. Throws std::system_error when it cannot be started, ENOENT where there is none.
 Finished run_process(const std::vector<std::string>& command, std::string_view input);
 
-}  // namespace feline::page
+}  // namespace feline
