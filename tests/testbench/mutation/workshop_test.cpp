@@ -12,11 +12,11 @@
 namespace feline::mutation {
 namespace {
 
-TEST(workshop_long, other_sources_are_refused) {
+TEST(workshop, other_sources_are_refused) {
   const TempDir directory;
-  const std::string message = input_error([&] { const Workshop workshop(directory / ".", directory / "work"); });
+  const std::string message = input_error([&] { check_source(directory / "."); });
   EXPECT_NE(message.find("--source"), std::string::npos) << message;
-  EXPECT_FALSE(std::filesystem::exists(directory / "work"));
+  EXPECT_NO_THROW(check_source(FELINE_SOURCE_DIR));
 }
 
 TEST(workshop_long, results_follow_from_what_tries_and_what_proves) {
