@@ -12,8 +12,8 @@ namespace feline {
 // Lookups whose textures are chosen so that the exact sum of every channel all but rounds the other way in accumulate,
 // or is a tie: the least significant bit of every product and carry decides. Random lookups that blend two levels;
 // random texels, of which four, found by meeting in the middle, bring the sum where it is wanted; half of them at a
-// border, whose alpha has fractions of codes. Each several times, so that one may wait for another; pixels of half of
-// them are left standing for long.
+// border, whose alpha has fractions of codes; a quarter with a coordinate that raises a status bit. Each several times,
+// so that one may wait for another; pixels of half of them are left standing for long.
 class CloseBatches {
  public:
   static constexpr std::size_t kCopies = 4;

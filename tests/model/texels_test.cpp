@@ -56,10 +56,8 @@ void expect_constant_channels(const char* name) {
   const TestScene scene =
       make_scene(random, 4, 4, supported_format(kConfig.features, TexelFormat::kRgba8), false, Content::kNoise, 1);
   const int channels = bytes_per_texel(scene.texture.format);
-  TextureMemory memory = scene.memory;
-  memory.is_opaque = true;
   auto state = make_sampler<kConfig>(plain_options(supported_mode(kConfig.features, Mode::kTrilinear)),
-                                     TextureShape{scene.texture.format, false, 4, 4, 1, memory.level_base});
+                                     TextureShape{scene.texture.format, false, 4, 4, 1, scene.memory.level_base});
   std::array<int, 2> asked{};
   for (int i = 0; i < 1000; ++i) {
     for (auto& channel : state.border) channel = channel.from_raw(16 * (random.one_in(2) ? 255 : random.below(256)));
@@ -70,7 +68,7 @@ void expect_constant_channels(const char* name) {
     draw(random, beat.fine_border);
     draw(random, beat.coarse_border);
     draw(random, beat.coarse_used);
-    const auto got = fetch<kConfig>(beat, state, memory);
+    const auto got = fetch<kConfig>(beat, state, scene.memory);
     bool asks = false;
     const auto expect_texel = [&](const auto& texel, const auto& xs, const auto& ys, std::int64_t border, int place) {
       const int column = place % 2;

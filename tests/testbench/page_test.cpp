@@ -6,7 +6,6 @@
 
 #include "testbench/page/html.h"
 #include "testbench/page/plot.h"
-#include "testbench/process.h"
 #include "tests/testbench/html_check.h"
 #include "tests/testbench/temp_dir.h"
 
@@ -78,18 +77,6 @@ TEST(page, plots_of_every_style_and_none) {
   plot.y = {"errors", true, 1e-3, 10};
   EXPECT_NE(svg(plot).find(">0.001<"), std::string::npos);
   EXPECT_NE(svg({"none", "none", {"", true}, {"", true}, {{"nothing", {{-1, NAN}}}}}).find("none"), std::string::npos);
-}
-
-TEST(page, processes) {
-  EXPECT_EQ(run_process({"cat"}, "text").output, "text");
-  const std::string large(3'000'000, 'x');
-  EXPECT_EQ(run_process({"cat"}, large).output, large);
-  // It ends without reading; the input is lost and nothing else.
-  const Finished early = run_process({"sh", "-c", "echo why >&2; exit 3"}, large);
-  EXPECT_EQ(early.code, 3);
-  EXPECT_EQ(early.errors, "why\n");
-  EXPECT_EQ(run_process({"sh", "-c", "kill -9 $$"}, "").code, 128 + 9);
-  EXPECT_THROW(run_process({"feline-no-such-program"}, ""), std::system_error);
 }
 
 TEST(page, gnuplot_is_missing_or_fails) {
