@@ -1,24 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "testbench/program/activity_options.h"
 
-#include <limits>
-
 #include "testbench/error.h"
-#include "testbench/program/command_line.h"
+#include "testbench/program/timing_options.h"
 
 namespace feline {
 
 void ActivityOptions::add_to(CLI::App& command) {
   frames.add_to(command);
-  command.add_option("--memory-latency", timing.memory_latency, "cycles from a read to its data")
-      ->check(whole_number(0, 100000))
-      ->capture_default_str();
-  command.add_option("--stalls", timing.stalls, "chance of a stall at each port in each cycle")
-      ->check(number(0, 0.95))
-      ->capture_default_str();
-  command.add_option("--seed", timing.seed, "of stalls and power-up state")
-      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
-      ->capture_default_str();
+  add_timing(command, timing, "stalls and power-up state");
 }
 
 Activity ActivityOptions::measure() const {

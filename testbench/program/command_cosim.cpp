@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <atomic>
-#include <limits>
 #include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -16,6 +15,7 @@
 #include "testbench/program/commands.h"
 #include "testbench/program/cosim_summary.h"
 #include "testbench/program/subject.h"
+#include "testbench/program/timing_options.h"
 #include "testbench/render.h"
 #include "testbench/scenes/scene.h"
 
@@ -259,22 +259,12 @@ void add_cosim(CLI::App& program, int& exit_code, const std::vector<std::string>
   options->sampler.add_to(*command, true);
   command->add_option("--random", options->random, "so many random and directed lookups under random samplers instead")
       ->check(whole_number(1, std::uint64_t{1} << 40));
-  CLI::Option* const latency =
-      command->add_option("--memory-latency", options->timing.memory_latency, "cycles from a read to its data")
-          ->check(whole_number(0, 100000))
-          ->capture_default_str();
-  CLI::Option* const stalls =
-      command->add_option("--stalls", options->timing.stalls, "chance of a stall at each port in each cycle")
-          ->check(number(0, 0.95))
-          ->capture_default_str();
+  const TimingOptions timing = add_timing(*command, options->timing, "stalls, power-up state and random lookups");
   command
       ->add_flag("--vary", options->vary,
                  "with --random: other stalls, memory latencies of 0 to 1000 cycles and resets for every batch of 256")
-      ->excludes(latency)
-      ->excludes(stalls);
-  command->add_option("--seed", options->timing.seed, "of stalls, power-up state and random lookups")
-      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
-      ->capture_default_str();
+      ->excludes(timing.memory_latency)
+      ->excludes(timing.stalls);
   command->add_option("--replay", options->replay, "only this lookup, or FIRST:LAST");
   command->add_option("--output", options->output, "directory for pictures, probe maps and the summary");
   options->wave_option =

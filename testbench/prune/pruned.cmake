@@ -21,8 +21,8 @@ set_property(SOURCE testbench/prune/check.cpp testbench/cosim/cosimulation.cpp t
 if(FELINE_ACTIVITY)
   add_executable(feline_activity testbench/area/activity_main.cpp testbench/area/activity.cpp testbench/area/toggles.cpp
                  testbench/program/activity_options.cpp testbench/program/command_line.cpp testbench/program/frames.cpp
-                 testbench/program/subject.cpp testbench/cosim/cosimulation.cpp testbench/cosim/memory_model.cpp
-                 testbench/cosim/mismatch.cpp testbench/cosim/scoreboard.cpp)
+                 testbench/program/subject.cpp testbench/program/timing_options.cpp testbench/cosim/cosimulation.cpp
+                 testbench/cosim/memory_model.cpp testbench/cosim/mismatch.cpp testbench/cosim/scoreboard.cpp)
   target_compile_options(feline_activity PRIVATE ${FELINE_WARNINGS})
   target_link_libraries(feline_activity PRIVATE feline_scenes feline_trace CLI11::CLI11)
   set_source_files_properties(testbench/area/activity_main.cpp PROPERTIES COMPILE_OPTIONS -O0)
