@@ -91,7 +91,7 @@ class ShortcutUnit {
       constant_[3] = decoded_[3][255];
     }
     if (kLooksForAlpha) shortcuts_.weightless_texels = shortcuts_.weightless_probes = false;
-    // Only a state that make_sampler did not make can have a border with channels that its texels lack.
+    // A border may not be opaque where the texels are, and one that make_sampler did not make have channels they lack.
     const bool has_border = wrap_s_ == Wrap::kClampToBorder || wrap_t_ == Wrap::kClampToBorder;
     leaves_channels_ = shortcuts_.absent_channels;
     for (auto c = static_cast<std::size_t>(filtered_); c < 4; ++c) {
@@ -120,8 +120,7 @@ class ShortcutUnit {
         }
         break;
     }
-    beat.status =
-        beat.status.from_raw(row_status<kConfig>(planned).raw() | unsupported_if(kLooksForAlpha && lacks_alpha_));
+    beat.status = beat.status.from_raw(row_status<kConfig>(planned).raw() | unsupported_if(lacks_alpha_));
     return beat;
   }
 
@@ -183,8 +182,8 @@ class ShortcutUnit {
     std::int64_t weight = 0;
     for (std::size_t i = 0; i < used_; ++i) weight += probes_[i].weight;
     for (std::size_t c = kChannels; c < 4; ++c) {
-      const int fraction_bits = F::kAccumulated.fraction_bits - F::kChannel.fraction_bits - kConfig.weight_bits;
-      beat.colour[c] = finished_channel<kConfig>(c, (constant_[c] * weight) << fraction_bits);
+      constexpr int kFractionBits = F::kAccumulated.fraction_bits - F::kChannel.fraction_bits - kConfig.weight_bits;
+      beat.colour[c] = finished_channel<kConfig>(c, (constant_[c] * weight) << kFractionBits);
     }
   }
 

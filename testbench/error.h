@@ -15,6 +15,12 @@ class InputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// RTL and model differ where something else was asked for. The program prints what() and exits with code 1.
+class RtlMismatch : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 // Throws InputError "<where>: <field>: got <value>, legal is <legal>".
 //   where  the file, or the option on the command line
 //   field  what in it is wrong

@@ -3,10 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <limits>
-#include <stdexcept>
-
 #include "testbench/atomic_file.h"
+#include "testbench/error.h"
 #include "testbench/json_input.h"
 
 namespace feline {
@@ -47,11 +45,11 @@ Activity measure_activity(const Batch& batch, const Timing& timing, const RtlFac
   Activity activity;
   {
     Cosimulation simulation(trace, timing);
-    simulation.set_wave({wave.temporary(), kResetCycles, std::numeric_limits<std::uint64_t>::max() - 1});
+    simulation.set_wave({wave.temporary(), kResetCycles, WaveWindow::kToTheEnd});
     const bool holds = simulation.run(batch, [&](std::uint64_t, const AccumulateBeat<kUnit>&) {
       if (progress != nullptr) progress->advance(1);
     });
-    if (!holds) throw std::runtime_error("RTL and model differ; feline cosim tells where");
+    if (!holds) throw RtlMismatch("RTL and model differ; feline cosim tells where");
     activity.lookups = simulation.beats()[static_cast<std::size_t>(Stage::kAccumulate)];
     activity.probes = simulation.beats()[static_cast<std::size_t>(Stage::kWalk)];
     activity.cycles = simulation.cycles() - kResetCycles;

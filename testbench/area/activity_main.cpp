@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "testbench/atomic_file.h"
+#include "testbench/error.h"
 #include "testbench/program/activity_options.h"
 
 namespace {
@@ -29,6 +30,9 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     return run(argc, argv);
+  } catch (const feline::RtlMismatch& error) {
+    std::fputs((std::string(error.what()) + "\n").c_str(), stderr);
+    return 1;
   } catch (const std::exception& error) {
     std::fputs((std::string(error.what()) + "\n").c_str(), stderr);
     return 2;

@@ -211,8 +211,8 @@ bool Cosimulation::run(const Batch& batch, const PixelSink& sink) {
     ++cycle_;
     if (!holds) {
       memory_reads_ += memory->requests();
-      // A few cycles more, for whoever reads the waveform.
-      for (; wave_ && cycle_ <= wave_->last_cycle; ++cycle_) {
+      // A few cycles more, for whoever reads the waveform of a mismatch.
+      for (; wave_ && wave_->last_cycle != WaveWindow::kToTheEnd && cycle_ <= wave_->last_cycle; ++cycle_) {
         wave_cycle();
         RtlUnit::Inputs held = inputs;
         held.accumulate_ready = held.memory_request_ready = false;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -35,8 +36,10 @@ struct Timing {
   Conditions conditions() const;
 };
 
-// A window of cycles that is written to a waveform.
+// A window of cycles that is written to a waveform, a mismatch's to its last cycle; kToTheEnd: as long as lookups are
+// compared.
 struct WaveWindow {
+  static constexpr std::uint64_t kToTheEnd = std::numeric_limits<std::uint64_t>::max() - 1;
   std::filesystem::path path;
   std::uint64_t first_cycle = 0;
   std::uint64_t last_cycle = 0;

@@ -5,7 +5,6 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -42,11 +41,6 @@ std::span<const Contestant> contestants();
 const Contestant* find_contestant(std::string_view name);
 std::string contestant_names();  // "nearest, bilinear, ...", for help
 std::string filter_names();      // those that are not the unit
-
-class RtlMismatch : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 // Cycles a pixel of the Verilated unit over one row in 16, spread over the whole height, the row before it having
 // filled the cache; each beat compared with the model. Throws RtlMismatch when they differ. The probes' kernel changes

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <span>
-#include <stdexcept>
 
 #include "model/unit.h"
 #include "testbench/cosim/cosimulation.h"
+#include "testbench/error.h"
 #include "testbench/measure/render_rows.h"
 #include "testbench/parallel.h"
 

@@ -29,9 +29,9 @@ using namespace feline;
 
 enum Tier : int { kSmoke, kUnit, kLeaves, kTests, kSurvived };
 constexpr std::array kTierNames{"smoke", "unit", "leaves", "tests"};
-// Whole lookups against exact arithmetic, which soon find what no leaf sees; all but the million draws of each
+// Whole lookups against exact arithmetic and what else soon finds what no leaf sees; all but the million draws of each
 // invariant, which take longest and find no more.
-constexpr const char* kUnitTests = "unit.*:sampler.*";
+constexpr const char* kUnitTests = "unit.*:sampler.*:shortcuts.*:memory.*:rounding.*";
 constexpr const char* kAllTests = "-*_long.*:invariants.*";
 constexpr rlim_t kMostMemory = rlim_t{4} << 30;  // bytes
 // Seconds of a processor: a mutant may take so many times what the model takes without one, and some more.

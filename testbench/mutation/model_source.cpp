@@ -125,13 +125,15 @@ class SourceInstrumenter {
     return i;
   }
 
-  // The first ; or { outside all parentheses; of a constant, which has a =, the ; behind its value.
+  // The first ; or { outside all parentheses; of a constant, which has a = or no parameters, the ; behind its value.
   std::size_t end_of_declaration(std::size_t i) const {
     const bool is_constant = token(i) == "constexpr";
     bool has_value = false;
+    bool has_parameters = false;
     for (int depth = 0; i < tokens_.size(); ++i) {
       const std::string_view word = token(i);
-      has_value = has_value || (is_constant && depth == 0 && word == "=");
+      has_value = has_value || (is_constant && depth == 0 && (word == "=" || (word == "{" && !has_parameters)));
+      has_parameters = has_parameters || word == "(";
       if (word == "(" || word == "[" || (word == "{" && has_value)) ++depth;
       if (word == ")" || word == "]" || (word == "}" && has_value)) --depth;
       if (depth == 0 && (word == ";" || word == "{")) break;
@@ -169,8 +171,8 @@ class SourceInstrumenter {
     }
     if (word == "case") {
       while (token(i) != ":") ++i;
-    } else if (word == "array" && token(i + 1) == "<") {
-      i = matching(i + 1, "<", ">");
+    } else if (word == "<" && !spaced(i)) {
+      i = matching(i, "<", ">");
     } else if (word == "enum") {
       i = matching(i, "{", "}");
     } else if (word == "if" && token(i + 1) == "constexpr") {

@@ -30,6 +30,7 @@ file(GLOB MUTATED_MODEL CONFIGURE_DEPENDS ${FELINE_MUTANTS}/model/sources/model/
 if(MUTATED_MODEL)
   file(GLOB leaves testbench/prove/domains_*.cpp testbench/prove/exact_*.cpp testbench/prove/model_*.cpp)
   file(GLOB tests tests/model/*_test.cpp tests/support/*.cpp)
+  list(APPEND tests tests/tables/rounding_test.cpp)
   add_executable(feline_mutated_model testbench/mutation/model_main.cpp testbench/prove/leaf.cpp testbench/prove/errors.cpp
                  ${leaves} ${tests} ${MUTATED_MODEL})
   target_include_directories(feline_mutated_model BEFORE PRIVATE ${FELINE_MUTANTS}/model/sources)

@@ -41,7 +41,8 @@ constexpr std::array kTrials{Part{"", "CMakeLists.txt"},
                              Part{"testbench/prove"},
                              Part{"testbench/stability"},
                              Part{"tests/model"},
-                             Part{"tests/support"}};
+                             Part{"tests/support"},
+                             Part{"tests/tables", "rounding_test"}};
 constexpr std::array kProofs{Part{"rtl"},
                              Part{"model"},
                              Part{"tables"},

@@ -181,7 +181,8 @@ std::vector<PreparedJob> prepare_jobs(const CosimOptions& options) {
 std::filesystem::path wave_of(const CosimOptions& options, const CosimJob& job, bool alone) {
   std::filesystem::path wave = options.wave;
   if (alone) return wave;
-  return wave.parent_path() / fmt::format("{}-{}{}", wave.stem().string(), run_name(job), wave.extension().string());
+  const std::string name = options.random ? fmt::format("random-{}", job.timing.seed) : run_name(job);
+  return wave.parent_path() / fmt::format("{}-{}{}", wave.stem().string(), name, wave.extension().string());
 }
 
 std::vector<CosimResult> run_all(const CosimOptions& options, const std::vector<PreparedJob>& jobs) {

@@ -83,14 +83,7 @@ void add_report(CLI::App& program, int& exit_code) {
       ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
       ->capture_default_str();
   command->add_flag("--json", options->json, "print report.json");
-  command->callback([options, &exit_code] {
-    try {
-      exit_code = run_report(*options);
-    } catch (const RtlMismatch& error) {
-      fmt::print(stderr, "feline: {}\n", error.what());
-      exit_code = kBroken;
-    }
-  });
+  command->callback([options, &exit_code] { exit_code = run_report(*options); });
 }
 
 }  // namespace feline

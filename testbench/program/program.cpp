@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "testbench/atomic_file.h"
+#include "testbench/error.h"
 #include "testbench/program/commands.h"
 
 namespace feline {
@@ -68,6 +69,9 @@ int run_program(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     complain("out of memory: smaller pictures and textures take less");
     return kBadInput;
+  } catch (const RtlMismatch& error) {
+    complain(error.what());
+    return kBroken;
   } catch (const std::exception& error) {
     // Bad input, a stale build: never to be taken for a mismatch.
     complain(error.what());

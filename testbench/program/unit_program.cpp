@@ -56,10 +56,12 @@ nlohmann::ordered_json run_unit_program(const std::string& source, const std::st
   std::vector<std::string> program{(unit / "build" / target).string()};
   program.insert(program.end(), arguments.begin(), arguments.end());
   const Finished finished = run_process(program, "");
-  if (finished.code != kHolds && finished.code != kBroken) {
-    throw InputError(finished.errors.empty() ? fmt::format("{}: exit code {}", target, finished.code)
-                                             : finished.errors.substr(0, finished.errors.find_last_not_of('\n') + 1));
-  }
+  const std::string said = finished.errors.empty()
+                               ? fmt::format("{}: exit code {}", target, finished.code)
+                               : finished.errors.substr(0, finished.errors.find_last_not_of('\n') + 1);
+  if (finished.code != kHolds && finished.code != kBroken) throw InputError(said);
+  // A verdict is JSON all the same.
+  if (finished.output.empty()) throw RtlMismatch(said);
   progress.advance(1);
   return nlohmann::ordered_json::parse(finished.output);
 }

@@ -123,7 +123,8 @@ Netlist LeafSynthesis::netlist(std::string_view wrapper, const Cache& cache) con
 
 std::string LeafSynthesis::leaf_hash(const Leaf& leaf) const {
   std::string text = closure(fmt::format("feline_leaf_{}", leaf.wrapper), leaves_, nullptr);
-  for (const std::string& file : evaluating_files(leaf.stage())) text += evaluating_.at(file);
+  const auto text_of = [this](const std::string& file) -> const std::string& { return evaluating_.at(file); };
+  for (const std::string& file : evaluating_files(leaf.stage(), text_of)) text += text_of(file);
   return fmt::format("{:016x}", XXH3_64bits(text.data(), text.size()));
 }
 

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace feline::prove {
 
@@ -19,7 +20,9 @@ Sources read_sources(const std::filesystem::path& root);
 // Those that this program was built from (embed_sources.cmake).
 const Sources& built_in_sources();
 
-// The C++ that evaluates a stage's leaves: the model's, exact arithmetic, and what brings their fields to them.
-std::vector<std::string> evaluating_files(std::string_view stage);
+// The C++ that evaluates a stage's leaves and their errors: the model's, exact arithmetic, what brings their fields to
+// them, and all that these include. `text_of` gives a file's text.
+std::set<std::string> evaluating_files(std::string_view stage,
+                                       const std::function<const std::string&(const std::string& file)>& text_of);
 
 }  // namespace feline::prove

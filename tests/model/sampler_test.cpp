@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <functional>
+#include <tuple>
 
 #include "model/make_sampler.h"
 #include "tests/support/describe.h"
@@ -57,6 +58,41 @@ TEST(sampler, named_parameter_sets_are_the_papers) {
   EXPECT_EQ(kExact.rounding, ProbeRounding::kNearest);
   EXPECT_EQ(kHighQuality.rounding, ProbeRounding::kCeiling);
   EXPECT_EQ(kHighEfficiency.rounding, ProbeRounding::kCeiling);
+}
+
+// What nobody chose: the exact probes of the table, linear and repeated, all levels, a border of nothing.
+TEST(sampler, defaults) {
+  const SamplerOptions options;
+  EXPECT_EQ(options.mode, Mode::kTable);
+  EXPECT_EQ(options.kernel, Kernel::kBilinear);
+  EXPECT_EQ(options.magnify, Magnify::kLinear);
+  EXPECT_EQ(options.wrap_s, Wrap::kRepeat);
+  EXPECT_EQ(options.wrap_t, Wrap::kRepeat);
+  EXPECT_EQ(options.max_probes, 16);
+  EXPECT_EQ(options.level_bias, 0);
+  EXPECT_EQ(options.min_level, 0);
+  EXPECT_EQ(options.max_level, 16 - 1.0 / 256);
+  EXPECT_EQ(options.border, (std::array<double, 4>{0, 0, 0, 0}));
+  const ProbeParameters own;
+  for (const ProbeParameters& probes : {own, options.probes, kExact}) {
+    EXPECT_EQ(probes.rounding, ProbeRounding::kNearest);
+    EXPECT_EQ(probes.length_factor, 1);
+    EXPECT_EQ(probes.blur_factor, 1);
+    EXPECT_EQ(probes.alias_factor, 1);
+  }
+}
+
+// What has no texels yet.
+TEST(sampler, defaults_of_textures) {
+  const TextureShape shape;
+  EXPECT_EQ(shape.format, TexelFormat::kRgba8);
+  EXPECT_FALSE(shape.srgb);
+  EXPECT_EQ(std::tuple(shape.width, shape.height, shape.levels), std::tuple(0, 0, 0));
+  const Texture texture;
+  EXPECT_EQ(texture.format, TexelFormat::kRgba8);
+  EXPECT_FALSE(texture.srgb);
+  const MipLevel level;
+  EXPECT_EQ(std::tuple(level.width, level.height), std::tuple(0, 0));
 }
 
 struct Refusal {

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "tests/rtl/fault.h"
 #include "tests/testbench/run_program.h"
@@ -101,6 +102,27 @@ TEST(broken_program, one_run_of_several) {
   expect_mismatch("gaussian_on_nearest_texels",
                   "cosim --scene checkerboard --size 16 --mode nearest,table --kernel gaussian", "filter",
                   "feline-mismatch-checkerboard-nearest-gaussian-repeat.fst");
+}
+
+// Parts of a million, each with a seed of its own.
+TEST(broken_program, random_lookups_in_several_parts) {
+  const TempDir dir;
+  const Outcome outcome =
+      run_broken("rom_log2_word_150_bit_0", "cosim --random 1000256 --seed 3 --jobs 1 --mode trilinear", dir);
+  EXPECT_EQ(outcome.code, 1) << outcome.text;
+  std::set<std::string> waves;
+  for (const auto& entry : std::filesystem::directory_iterator(dir / "")) waves.insert(entry.path().filename());
+  EXPECT_EQ(waves.size(), 2U) << outcome.text;
+  for (const std::string& wave : waves) EXPECT_NE(outcome.text.find(wave), std::string::npos) << wave;
+  EXPECT_TRUE(waves.contains("feline-mismatch-random-3.fst")) << outcome.text;
+}
+
+// What asks for something else than a comparison.
+TEST(broken_program, activity) {
+  const TempDir dir;
+  const Outcome outcome = run_broken("step_sign_lost", "activity --scene sphere --size 24", dir);
+  EXPECT_EQ(outcome.code, 1) << outcome.text;
+  EXPECT_NE(outcome.text.find("RTL and model differ"), std::string::npos) << outcome.text;
 }
 
 TEST(broken_program, render_by_rtl) {

@@ -158,6 +158,7 @@ TEST(readme_long, default_scene) {
   const Outcome outcome = run_program(FELINE_PROGRAM, "cosim --size 512 --mode simple,table --json");
   ASSERT_EQ(outcome.code, 0) << outcome.text;
   const auto json = nlohmann::json::parse(outcome.text);
+  ASSERT_EQ(json["runs"].size(), 2U);
   for (const auto& run : json["runs"]) {
     const double lookups = run["lookups"];
     expect_said(fmt::format("| {:.2f} probes and {:.1f} cycles a pixel, 0 mismatches",

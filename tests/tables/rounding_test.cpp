@@ -42,19 +42,30 @@ TEST(rounding, equals_exact_arithmetic) {
   }
 }
 
-// Shifts that drop every bit.
+// Shifts that leave one bit, or none, of the values with most bits, of either sign.
 TEST(rounding, long_shifts) {
-  for (int bits = 50; bits <= 300; ++bits) {
-    for (const std::int64_t value : {std::int64_t{1}, std::int64_t{1} << 40, std::int64_t{1} << 48}) {
-      EXPECT_EQ(round_outward(value, bits), 1) << bits;
-      EXPECT_EQ(round_outward(-value, bits), -1) << bits;
-      EXPECT_EQ(round_away_ties(value, bits), 0) << bits;
-      EXPECT_EQ(round_away_ties(-value, bits), 0) << bits;
-      EXPECT_EQ(round_down(value, bits), 0) << bits;
-      EXPECT_EQ(round_down(-value, bits), -1) << bits;
+  for (const int most : {1, 41, 49, 61, 62}) {
+    for (const std::int64_t magnitude : {std::int64_t{1} << (most - 1), (std::int64_t{1} << most) - 1}) {
+      for (const std::int64_t value : {magnitude, -magnitude}) {
+        for (int bits = 50; bits <= 64; ++bits) {
+          const oracle::Rational exact{value, oracle::Wide{1} << bits};
+          const oracle::Wide outward = value < 0 ? oracle::floor_of(exact) : oracle::ceil_of(exact);
+          EXPECT_EQ(round_down(value, bits), static_cast<std::int64_t>(oracle::floor_of(exact)))
+              << value << " " << bits;
+          EXPECT_EQ(round_away_ties(value, bits), static_cast<std::int64_t>(oracle::nearest_away(exact)))
+              << value << " " << bits;
+          EXPECT_EQ(round_outward(value, bits), static_cast<std::int64_t>(outward)) << value << " " << bits;
+        }
+        for (int bits = 64; bits <= 300; ++bits) {
+          EXPECT_EQ(round_outward(value, bits), value < 0 ? -1 : 1) << bits;
+          EXPECT_EQ(round_away_ties(value, bits), 0) << bits;
+          EXPECT_EQ(round_down(value, bits), value < 0 ? -1 : 0) << bits;
+        }
+      }
     }
-    EXPECT_EQ(round_outward(0, bits), 0);
   }
+  EXPECT_EQ(round_down(std::int64_t{1} << 62, 62), 1);
+  for (int bits = 50; bits <= 300; ++bits) EXPECT_EQ(round_outward(0, bits), 0);
 }
 
 TEST(rounding, bit_length) {

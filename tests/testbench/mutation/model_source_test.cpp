@@ -35,6 +35,7 @@ TEST(mutation_model_source, numbers_values_and_conditions) {
 TEST(mutation_model_source, leaves_the_rest) {
   for (const char* const text :
        {"constexpr int kX = 1 + 2;", "constexpr auto kX = std::int64_t{1} << (2 + 3);", "std::array<int, 4> x;",
+        "constexpr X kX{1, {2, a + 3}};", "inline constexpr std::array kX{X{1}, X{2}};", "f<1, A<2, 3>>(a);",
         "template <int kN = 3>\nint f(int a);", "std::vector<std::vector<int>> f(T&& a);", "static_assert(1 + 1 == 2);",
         "enum class X { kA = 1, kB = 2 };", "// a + b\n", "f(\"a + b\", x2, 1.5);", "case 3: return;", "auto& a = b;",
         "return {a, b};", "X& operator=(const X&) = default;", "*a;", "#if 1 + 1\n",
@@ -43,6 +44,8 @@ TEST(mutation_model_source, leaves_the_rest) {
   }
   EXPECT_EQ(instrumented("constexpr int f(int a = 1) { return 1 + a; }"),
             "constexpr int f(int a = 1) { return Value<0>{} ^= literal<1>(1) + Plus<2>{} + a; }");
+  EXPECT_EQ(instrumented("constexpr X f() { return f<1>(2); }"),
+            "constexpr X f() { return Value<0>{} ^= f<1>(literal<1>(2)); }");
   EXPECT_EQ(instrumented("if constexpr (k < 3) f(1);"), "if constexpr (k < 3) f(literal<0>(1));");
   EXPECT_EQ(instrumented("if (const auto x = f()) g();"), "if (const auto x = Value<0>{} ^= f()) g();");
 }

@@ -22,7 +22,8 @@ TEST(workshop, other_sources_are_refused) {
 TEST(workshop_long, results_follow_from_what_tries_and_what_proves) {
   const TempDir directory;
   const std::filesystem::path copy = directory / "copy";
-  for (const char* const room : {"rtl", "model", "tables", "testbench", "tests/model", "tests/support"}) {
+  for (const char* const room :
+       {"rtl", "model", "tables", "testbench", "tests/model", "tests/support", "tests/tables"}) {
     std::filesystem::create_directories(copy / room);
     std::filesystem::copy(std::filesystem::path(FELINE_SOURCE_DIR) / room, copy / room,
                           std::filesystem::copy_options::recursive);
@@ -42,6 +43,8 @@ TEST(workshop_long, results_follow_from_what_tries_and_what_proves) {
   EXPECT_EQ(touched("testbench/random.h"), std::pair(true, true));
   EXPECT_EQ(touched("model/reference/lookup.h"), std::pair(true, false));
   EXPECT_EQ(touched("testbench/cosim/scoreboard.cpp"), std::pair(true, false));
+  EXPECT_EQ(touched("tests/model/plan_test.cpp"), std::pair(true, false));
+  EXPECT_EQ(touched("tests/tables/rounding_test.cpp"), std::pair(true, false));
   EXPECT_EQ(touched("testbench/mutation/trial.cpp"), std::pair(true, true));
   EXPECT_EQ(touched("testbench/mutation/rules/feline_rules_plan.sv"), std::pair(false, true));
   EXPECT_EQ(touched("testbench/mutation/survivors.json"), std::pair(false, false));

@@ -15,7 +15,7 @@ constexpr const char* kSmall = "plan.weight_row,plan.choose_probes,walk.probe_we
 
 // What the second engine and the proofs read, in the directory's `source`.
 std::filesystem::path copy_sources(const TempDir& dir) {
-  for (const char* const part : {"rtl", "tables", "testbench/prove", "model"}) {
+  for (const char* const part : {"rtl", "tables", "testbench/prove", "testbench/stability", "model"}) {
     std::filesystem::create_directories((dir / "source" / part).parent_path());
     std::filesystem::copy(std::filesystem::path(FELINE_SOURCE_DIR) / part, dir / "source" / part,
                           std::filesystem::copy_options::recursive);
