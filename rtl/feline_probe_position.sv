@@ -14,11 +14,13 @@ module feline_probe_position (
   output logic [feline_pkg::PositionWidth-1:0]             position_o
 );
   localparam int unsigned OffsetWidth = feline_pkg::HalfStepWidth + feline_pkg::ProbeCountWidth + 1;
+  // Few probes of small textures do not get as far as a position that saturates far away.
+  localparam int unsigned SumWidth = OffsetWidth > feline_pkg::PositionWidth ? OffsetWidth : feline_pkg::PositionWidth;
 
   logic signed [OffsetWidth-1:0] offset;
 
   assign offset     = half_step_i * n_i;
-  assign position_o = feline_pkg::PositionWidth'(OffsetWidth'(centre_i) + offset);
+  assign position_o = feline_pkg::PositionWidth'(SumWidth'(centre_i) + SumWidth'(offset));
 endmodule
 
 `default_nettype wire

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Other configurations: RTL and model compared in each, made by the README's recipe in a copy of the tree.
-# usage: tests/configurations.sh [NAME|SEED...]   without arguments: least, most, bare, front and lean; a number is the
-#                                                 seed of a random configuration
+# usage: tests/configurations.sh [NAME|SEED...]   without arguments: least, most, finest, bare, front and lean; a number
+#                                                 is the seed of a random configuration
 set -euo pipefail
 cd "$(dirname "$0")/.."
 root=$PWD
@@ -21,7 +21,8 @@ features() { sed -n 's/^  bool \([a-z0-9_]*\) = true;.*/\1/p' tables/config.h; }
 fields_of() {
   case $1 in
     least) ranges | awk '{ print $1 "=" ($2 == "channel_fraction_bits" ? 2 : $2) }' ;;
-    # Positions have 19 bits of size and guard at most.
+    # Positions have 19 bits of size and guard at most: those of guard, and the farthest range, are another's.
+    finest) printf '%s\n' max_size_log2=4 guard_bits=15 least_range_log2=19 ;;
     most) ranges | awk '{ print $1 "=" ($1 == "guard_bits" ? 4 : $1 == "least_range_log2" ? 0 : $3) }' ;;
     # Nothing but nearest, bilinear and trilinear; and all of the front with few bits and many probes, where a shortened
     # footprint comes nearest to vanishing.
@@ -38,7 +39,7 @@ fields_of() {
         clamp_to_border r8 rg8 srgb alpha any_size nearest_texels dvdx
       printf '%s\n' exponent_bits=3 max_size_log2=7 guard_bits=9 max_probes=5 max_levels=5
       ;;
-    *[!0-9]*) echo "configurations.sh: no configuration $1: legal is least, most, bare, front, lean or a seed" >&2; exit 2 ;;
+    *[!0-9]*) echo "configurations.sh: no configuration $1: legal is least, most, finest, bare, front, lean or a seed" >&2; exit 2 ;;
     *)
       ranges | awk -v seed="$1" 'BEGIN { srand(seed) } {
         low = $2 == "channel_fraction_bits" ? channel : $2
@@ -82,5 +83,5 @@ check() {
   )
 }
 
-[[ $# -gt 0 ]] || set -- least most bare front lean
+[[ $# -gt 0 ]] || set -- least most finest bare front lean
 for name in "$@"; do check "$name"; done

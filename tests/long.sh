@@ -52,11 +52,11 @@ case $((day % 3)) in
     ;;
   1)
     # All of them: tests/configurations.sh.
-    configurations=(least most lean bare front)
+    configurations=(least most lean bare front finest)
     step "the netlist of gates in Icarus: tests/rtl/netlist.sh --gates"
     tests/rtl/netlist.sh --gates build/gates
-    step "another configuration: tests/configurations.sh ${configurations[turn % 5]}"
-    tests/configurations.sh "${configurations[turn % 5]}"
+    step "another configuration: tests/configurations.sh ${configurations[turn % 6]}"
+    tests/configurations.sh "${configurations[turn % 6]}"
     # clang-tidy alone would take twenty minutes.
     step "clang++, and clang-tidy for a sixth: tests/clang.sh build --shard $((turn % 6))/6"
     tests/clang.sh build --shard "$((turn % 6))/6"

@@ -45,17 +45,19 @@ std::vector<std::string> chosen_stages(const std::string& text) {
 
 std::filesystem::path known_file(const MutateOptions& options) {
   if (!options.known.empty()) return options.known;
-  return std::filesystem::path(options.source) / "testbench/mutation/survivors.json";
+  const std::filesystem::path directory = std::filesystem::path(options.source) / "testbench/mutation";
+  return directory / (options.model ? "model_survivors.json" : "survivors.json");
 }
 
 // Reasons are of stages, or of files of the model.
 void check_known(const mutation::KnownSurvivors& known, const MutateOptions& options) {
   const std::vector<std::string_view> stages = stage_names();
-  const std::vector<std::string> files = mutation::model_files(options.source);
+  const std::vector<std::string> legal =
+      options.model ? mutation::model_files(options.source) : std::vector<std::string>(stages.begin(), stages.end());
   for (const auto& [name, reasons] : known) {
-    if (std::ranges::find(stages, name) != stages.end() || std::ranges::find(files, name) != files.end()) continue;
-    bad_input(known_file(options).string(), "stage", name,
-              fmt::format("{}, or a file of the model", fmt::join(stages, ", ")));
+    if (std::ranges::find(legal, name) != legal.end()) continue;
+    bad_input(known_file(options).string(), options.model ? "file" : "stage", name,
+              fmt::to_string(fmt::join(legal, ", ")));
   }
 }
 
@@ -170,7 +172,8 @@ void add_mutate(CLI::App& program, int& exit_code) {
       "of the stage's leaves (feline prove) and compared with the stage by SAT (Debian packages yosys and cadical);\n"
       "what is neither killed nor proved the same must be in testbench/mutation/survivors.json with a reason, or the\n"
       "exit code is 1, as for a reason of one that is killed, proved, or called equivalent against what SAT finds.\n"
-      "Goes on where it was stopped. Those of the model are tried on the leaves and the model's tests.\n"
+      "Goes on where it was stopped. Those of the model are tried on the leaves and the model's tests, and what is\n"
+      "left must be in model_survivors.json beside it.\n"
       "Example: feline mutate --stage walk,plan --count 2000 --output mutants");
   CLI::Option* const stage = command
                                  ->add_option("--stage", options->stages,

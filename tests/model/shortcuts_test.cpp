@@ -301,6 +301,27 @@ TEST(shortcuts, border_with_other_channels_than_the_texels) {
   }
 }
 
+// A sum that one more in its last place would round the other way: one lookup in some hundred million is such, this one
+// was sought out.
+TEST(shortcuts, sum_just_below_a_tie) {
+  Random random(1);
+  const TestScene scene = make_scene(random, 8, 8, TexelFormat::kRgba8, true, Content::kNoise);
+  SamplerOptions options = plain_options(Mode::kSimple);
+  options.level_bias = 129.0 / 256;
+  const State state = make_sampler<kDefaultConfig>(options, scene.texture, scene.memory);
+  const Lookup lookup{0.679721415F, 0.421204627F, 0.460666388F, 0, 0, 1.0F / 8};
+  std::int64_t sum = 0;
+  const auto request = make_request<kDefaultConfig>(lookup, 1234);
+  sample<kDefaultConfig>(request, state, scene.memory, [&]<typename Beat>(const Beat& beat) {
+    if constexpr (std::is_same_v<Beat, FilterBeat<kDefaultConfig>>) sum += beat.weight.raw() * beat.colour[1].raw();
+  });
+  using F = Formats<kDefaultConfig>;
+  constexpr std::int64_t kUnit = std::int64_t{1} << (F::kAccumulated.fraction_bits - F::kPixel.fraction_bits);
+  ASSERT_EQ(sum % kUnit, kUnit / 2 - 1);
+  ShortcutUnit<kDefaultConfig, const TextureMemory> unit(state, scene.memory);
+  expect_same<kDefaultConfig>(lookup, state, scene.memory, unit);
+}
+
 // Memory that tells which lines were asked for.
 struct WatchedMemory {
   const TextureMemory& memory;

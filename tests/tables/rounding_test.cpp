@@ -65,7 +65,11 @@ TEST(rounding, long_shifts) {
     }
   }
   EXPECT_EQ(round_down(std::int64_t{1} << 62, 62), 1);
-  for (int bits = 50; bits <= 300; ++bits) EXPECT_EQ(round_outward(0, bits), 0);
+  for (int bits = 50; bits <= 300; ++bits) {
+    EXPECT_EQ(round_outward(0, bits), 0);
+    EXPECT_EQ(round_away_ties(0, bits), 0);
+    EXPECT_EQ(round_down(0, bits), 0);
+  }
 }
 
 TEST(rounding, bit_length) {

@@ -33,7 +33,9 @@ TEST(mutation_report, survivors_have_reasons) {
 }
 
 TEST(mutation_report, those_of_the_sources_can_be_read) {
-  EXPECT_NO_THROW(read_known_survivors(std::filesystem::path(FELINE_SOURCE_DIR) / "testbench/mutation/survivors.json"));
+  const std::filesystem::path directory = std::filesystem::path(FELINE_SOURCE_DIR) / "testbench/mutation";
+  EXPECT_NO_THROW(read_known_survivors(directory / "survivors.json"));
+  EXPECT_NO_THROW(read_known_survivors(directory / "model_survivors.json"));
 }
 
 TEST(mutation_report, tells_what_nothing_is_known_of) {
