@@ -21,7 +21,7 @@ features() { sed -n 's/^  bool \([a-z0-9_]*\) = true;.*/\1/p' tables/config.h; }
 fields_of() {
   case $1 in
     least) ranges | awk '{ print $1 "=" ($2 == "channel_fraction_bits" ? 2 : $2) }' ;;
-    # Positions have 19 bits of size and guard at most: those of guard, and the farthest range, are another's.
+    # Positions have 19 bits of size and guard at most: here those of guard, below those of size.
     finest) printf '%s\n' max_size_log2=4 guard_bits=15 least_range_log2=19 ;;
     most) ranges | awk '{ print $1 "=" ($1 == "guard_bits" ? 4 : $1 == "least_range_log2" ? 0 : $3) }' ;;
     # Nothing but nearest, bilinear and trilinear; and all of the front with few bits and many probes, where a shortened
