@@ -15,8 +15,9 @@ class InputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// RTL and model differ where something else was asked for. The program prints what() and exits with code 1.
-class RtlMismatch : public std::runtime_error {
+// RTL, model or exact arithmetic differ where something else was asked for. The program prints what() and exits with
+// code 1.
+class WitnessMismatch : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };

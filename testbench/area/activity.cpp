@@ -49,7 +49,7 @@ Activity measure_activity(const Batch& batch, const Timing& timing, const RtlFac
     const bool holds = simulation.run(batch, [&](std::uint64_t, const AccumulateBeat<kUnit>&) {
       if (progress != nullptr) progress->advance(1);
     });
-    if (!holds) throw RtlMismatch("RTL and model differ; feline cosim tells where");
+    if (!holds) throw WitnessMismatch("RTL and model differ; feline cosim tells where");
     activity.lookups = simulation.beats()[static_cast<std::size_t>(Stage::kAccumulate)];
     activity.probes = simulation.beats()[static_cast<std::size_t>(Stage::kWalk)];
     activity.cycles = simulation.cycles() - kResetCycles;

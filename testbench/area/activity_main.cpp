@@ -30,7 +30,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     return run(argc, argv);
-  } catch (const feline::RtlMismatch& error) {
+  } catch (const feline::WitnessMismatch& error) {
     std::fputs((std::string(error.what()) + "\n").c_str(), stderr);
     return 1;
   } catch (const std::exception& error) {

@@ -43,8 +43,8 @@ std::string contestant_names();  // "nearest, bilinear, ...", for help
 std::string filter_names();      // those that are not the unit
 
 // Cycles a pixel of the Verilated unit over one row in 16, spread over the whole height, the row before it having
-// filled the cache; each beat compared with the model. Throws RtlMismatch when they differ. The probes' kernel changes
-// nothing.
+// filled the cache; each beat compared with the model. Throws WitnessMismatch when they differ. The probes' kernel
+// changes nothing.
 double measure_rtl_cycles(const View& view, const SamplerOptions& options);
 
 }  // namespace feline

@@ -102,7 +102,7 @@ double measure_rtl_cycles(const View& view, const SamplerOptions& options) {
     if (!cosimulation.run(Batch{sampler, &view.surface->memory, lookups, 0}, sink)) agree = false;
     cycles += cosimulation.cycles() - begun;
   });
-  if (!agree) throw RtlMismatch(fmt::format("{}: RTL and model differ; feline cosim says where", view.name));
+  if (!agree) throw WitnessMismatch(fmt::format("{}: RTL and model differ; feline cosim says where", view.name));
   return static_cast<double>(cycles) / (static_cast<double>(rows) * static_cast<double>(width));
 }
 

@@ -68,7 +68,7 @@ void try_mutants(const StageMutants& stage, const std::vector<std::string>& tier
       const auto script = workshop.source / "testbench" / "mutation" / "build.sh";
       if (!built) run_program({script.string(), workshop.directory.string(), stage.stage()});
       built = true;
-      lines = run_program(command, codes);
+      lines = run_trials(command, codes);
       workshop.cache.write(key, *lines);
     }
     tell_fates(part, *lines);

@@ -55,7 +55,7 @@ void prove_ports(const StageMutants& unit, const Workshop& workshop, std::vector
 
 // Proves by SAT what it can of those that no tier has killed: that all their logic is the stage's (abc &cec); or that
 // nobody sees a difference: in a pipeline's arithmetic, of what comes out for a legal beat (CaDiCaL),
-// elsewhere at any time (abc pdr), memories cut (cut_memories). Bits of ROMs stay unknown: they differ.
+// elsewhere at any time (abc pdr), memories cut (cut_memories). Of ROMs' bits the latter: nobody sees what a word is.
 void compare_logic(const StageMutants& stage, Fate::Logic wanted, const Workshop& workshop, std::vector<Fate>& fates);
 
 }  // namespace feline::mutation

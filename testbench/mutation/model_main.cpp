@@ -19,6 +19,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "testbench/error.h"
 #include "testbench/mutation/model_site.h"
 #include "testbench/prove/leaf.h"
 #include "testbench/random.h"
@@ -220,8 +221,8 @@ int run(std::uint32_t first, std::uint32_t end) {
   int status = 0;
   waitpid(start(trials, mutation::kNoModelMutant, kNoLimit, trace), &status, 0);
   if (status != 0) {
-    throw std::runtime_error(fmt::format("the model without a mutant fails: {} {}, {}",
-                                         kTierNames[static_cast<std::size_t>(trace.tier)], trace.name, way(status)));
+    throw WitnessMismatch(fmt::format("the model without a mutant fails: {} {}, {}",
+                                      kTierNames[static_cast<std::size_t>(trace.tier)], trace.name, way(status)));
   }
   std::vector<std::uint32_t> mutants;
   for (std::uint32_t code = first * mutation::kAlternatives; code < end * mutation::kAlternatives; ++code) {
@@ -245,6 +246,9 @@ int main(int argc, char** argv) {
   try {
     if (argc != 3) throw std::runtime_error("usage: feline_mutated_model FIRST_SITE END_SITE");
     return run(static_cast<std::uint32_t>(std::stoul(argv[1])), static_cast<std::uint32_t>(std::stoul(argv[2])));
+  } catch (const WitnessMismatch& error) {
+    std::fputs((std::string(error.what()) + "\n").c_str(), stderr);
+    return 1;
   } catch (const std::exception& error) {
     std::fputs((std::string(error.what()) + "\n").c_str(), stderr);
     return 2;

@@ -105,7 +105,7 @@ std::vector<FileFates> try_model(const Workshop& workshop) {
       if (!built) run_program({script.string(), workshop.directory.string(), "model"});
       built = true;
       const auto program = workshop.directory / "build" / "feline_mutated_model";
-      lines = run_program({program.string(), std::to_string(first), std::to_string(end)});
+      lines = run_trials({program.string(), std::to_string(first), std::to_string(end)});
       workshop.cache.write(key, *lines);
     }
     tell_fates(sites, *lines, by_file);

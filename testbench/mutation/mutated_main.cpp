@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "testbench/error.h"
 #include "testbench/mutation/trial.h"
 
 namespace {
@@ -51,6 +52,9 @@ int main(int argc, char** argv) {
   try {
     run({argv + 1, argv + argc});
     return 0;
+  } catch (const feline::WitnessMismatch& error) {
+    std::fputs((std::string(error.what()) + "\n").c_str(), stderr);
+    return 1;
   } catch (const std::exception& error) {
     std::fputs((std::string(error.what()) + "\n").c_str(), stderr);
     return 2;

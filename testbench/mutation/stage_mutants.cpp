@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <regex>
 #include <stdexcept>
 
 #include "tables/stages.h"
 #include "testbench/error.h"
+#include "testbench/mutation/word_sites.h"
 #include "testbench/text_file.h"
 
 namespace feline::mutation {
@@ -149,21 +151,28 @@ bool StageMutants::has(std::string_view description) const {
 }
 
 bool StageMutants::in_stream(const Mutant& mutant) const {
-  if (mutant.kind != Kind::kRomBit && mutant.site > sites_.size()) {
+  if (mutant.kind == Kind::kRomBit) return false;
+  if (mutant.site > sites_.size()) {
     const std::string& port = ports_[mutant.site - sites_.size() - 1].port;
     return port == "rst_i" || port.find("_valid_") != std::string::npos || port.find("_ready_") != std::string::npos;
   }
-  const std::string& place = mutant.kind == Kind::kRomBit ? std::string() : sites_[mutant.site - 1].source;
+  const std::string& place = sites_[mutant.site - 1].source;
   return place.find("/rtl/") == std::string::npos || place.find(kStreamRegister) != std::string::npos;
 }
 
 std::string StageMutants::logic(const std::vector<Mutant>& mutants, bool without_memories) const {
-  const std::vector<std::uint32_t> only = site_numbers(mutants);
+  const auto is_of_rom = [](const Mutant& mutant) { return mutant.kind == Kind::kRomBit; };
+  std::vector<Mutant> of_sites;
+  std::ranges::remove_copy_if(mutants, std::back_inserter(of_sites), is_of_rom);
+  const std::vector<std::uint32_t> only = site_numbers(of_sites);
   const std::string top = "feline_" + stage_;
   nlohmann::ordered_json netlist = instrument(elaboration_.netlist, top, &only, true).netlist;
+  if (std::ranges::any_of(mutants, is_of_rom)) add_word_sites(netlist["modules"][top], roms_);
   if (without_memories) cut_memories(netlist["modules"][top]);
   const std::filesystem::path package = source_ / "tables" / "generated" / "feline_pkg.sv";
-  std::vector<std::filesystem::path> sources{package, source_ / "testbench" / "mutation" / "feline_mutation_site.sv"};
+  const std::filesystem::path room = source_ / "testbench" / "mutation";
+  std::vector<std::filesystem::path> sources{package, room / "feline_mutation_site.sv",
+                                             room / "feline_mutation_word.sv"};
   if (stage_ == kUnitName) {
     // The stages, whole, but not what is made of sites.
     for (const auto& [directory, begin] :
@@ -174,8 +183,7 @@ std::string StageMutants::logic(const std::vector<Mutant>& mutants, bool without
     }
   }
   for (const Rom& rom : roms_) sources.emplace_back(rom_file(rom.name));
-  const std::filesystem::path rules =
-      source_ / "testbench" / "mutation" / "rules" / fmt::format("feline_rules_{}.sv", stage_);
+  const std::filesystem::path rules = room / "rules" / fmt::format("feline_rules_{}.sv", stage_);
   if (std::filesystem::exists(rules)) {
     add_rules(netlist["modules"][top], stage_, read_text(rules, "rules", "a module"));
     const auto all_rules = sources_in(rules.parent_path(), "feline_rules_");

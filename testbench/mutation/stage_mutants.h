@@ -42,9 +42,9 @@ class StageMutants {
   bool in_stream(const Mutant& mutant) const;
 
   // The stage's logic with its registers as binary AIGER with the mutant as inputs mutant[0] to mutant[63]; memories
-  // are registers, or cut (cut_memories); sites other than those of `mutants` left out. With
-  // rules/feline_rules_STAGE.sv, if there is one: legal_o says that what comes in is what can come. Of the unit with
-  // all that is in its stages. Throws std::runtime_error.
+  // are registers, or cut (cut_memories); sites other than those of `mutants` left out. Of a ROM's bit the whole word
+  // is what an input any says. With rules/feline_rules_STAGE.sv, if there is one: legal_o says that what comes in is
+  // what can come. Of the unit with all that is in its stages. Throws std::runtime_error.
   std::string logic(const std::vector<Mutant>& mutants, bool without_memories = false) const;
 
  private:

@@ -55,7 +55,9 @@ Trial::Trial(std::vector<Tier> tiers) : tiers_(std::move(tiers)) {
   for (const Tier& tier : tiers_) {
     if (tier.close) close_.emplace(tier.timing.seed, tier.lookups);
     const Outcome outcome = run_tier(tier, close_);
-    if (outcome.mismatch) throw std::runtime_error(fmt::format("the unit without a mutant fails in {}", tier.name));
+    if (outcome.mismatch) {
+      throw WitnessMismatch(fmt::format("the unit without a mutant fails in {}; feline cosim tells where", tier.name));
+    }
     right_.push_back(outcome.pace);
   }
 }

@@ -37,7 +37,7 @@ struct Death {
   double milliseconds = 0;   // of this trial's tiers up to it
 };
 
-// Tries mutants on the tiers one after the other. Throws std::runtime_error when the unit without a mutant fails.
+// Tries mutants on the tiers one after the other. Throws WitnessMismatch when the unit without a mutant fails.
 class Trial {
  public:
   explicit Trial(std::vector<Tier> tiers);

@@ -67,6 +67,22 @@ std::string hash_of(const std::filesystem::path& source, std::span<const Part> p
   return all;
 }
 
+Finished finish(const std::vector<std::string>& command, const std::string& input) {
+  try {
+    return run_process(command, input);
+  } catch (const std::system_error& error) {
+    throw std::runtime_error(fmt::format("{}: {}", command.front(), error.what()));
+  }
+}
+
+std::string output_of(const std::vector<std::string>& command, const Finished& finished) {
+  if (finished.code != 0) {
+    throw std::runtime_error(
+        fmt::format("{}: exit code {}\n{}{}", command.front(), finished.code, finished.output, finished.errors));
+  }
+  return finished.output;
+}
+
 const std::filesystem::path& ready(const std::filesystem::path& directory) {
   std::filesystem::create_directories(directory);
   return directory;
@@ -91,17 +107,13 @@ Workshop::Workshop(const std::filesystem::path& of_source, const std::filesystem
       proofs(yosys_version(kMutantsNeedIt) + solver_version() + hash_of(source, kProofs)) {}
 
 std::string run_program(const std::vector<std::string>& command, const std::string& input) {
-  Finished finished;
-  try {
-    finished = run_process(command, input);
-  } catch (const std::system_error& error) {
-    throw std::runtime_error(fmt::format("{}: {}", command.front(), error.what()));
-  }
-  if (finished.code != 0) {
-    throw std::runtime_error(
-        fmt::format("{}: exit code {}\n{}{}", command.front(), finished.code, finished.output, finished.errors));
-  }
-  return finished.output;
+  return output_of(command, finish(command, input));
+}
+
+std::string run_trials(const std::vector<std::string>& command, const std::string& input) {
+  const Finished finished = finish(command, input);
+  if (finished.code == 1) throw WitnessMismatch(finished.errors.substr(0, finished.errors.find_last_not_of('\n') + 1));
+  return output_of(command, finished);
 }
 
 }  // namespace feline::mutation

@@ -30,4 +30,8 @@ struct Workshop {
 // What a program writes, given `input`. Throws std::runtime_error when it fails.
 std::string run_program(const std::vector<std::string>& command, const std::string& input = "");
 
+// What a program that tries mutants writes. Throws WitnessMismatch, too, when it ends with exit code 1: what has no
+// mutant is wrong already.
+std::string run_trials(const std::vector<std::string>& command, const std::string& input = "");
+
 }  // namespace feline::mutation

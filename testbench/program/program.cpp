@@ -69,7 +69,7 @@ int run_program(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     complain("out of memory: smaller pictures and textures take less");
     return kBadInput;
-  } catch (const RtlMismatch& error) {
+  } catch (const WitnessMismatch& error) {
     complain(error.what());
     return kBroken;
   } catch (const std::exception& error) {

@@ -61,7 +61,7 @@ nlohmann::ordered_json run_unit_program(const std::string& source, const std::st
                                : finished.errors.substr(0, finished.errors.find_last_not_of('\n') + 1);
   if (finished.code != kHolds && finished.code != kBroken) throw InputError(said);
   // Of a unit that was to be judged there is a verdict all the same.
-  if (finished.code == kBroken && finished.output.empty()) throw RtlMismatch(said);
+  if (finished.code == kBroken && finished.output.empty()) throw WitnessMismatch(said);
   progress.advance(1);
   return nlohmann::ordered_json::parse(finished.output);
 }

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "model/footprint.h"
 #include "model/make_sampler.h"
@@ -139,6 +141,24 @@ TEST(plan, levels_without_blending_are_whole) {
     const LevelChoice choice = choose_level<kExtUnit>(base, Mode::kTrilinear, state);
     ASSERT_EQ(choice.level_of_detail, base >> 8 << 8);
     ASSERT_EQ(choice.missing, base % 256 != 0);
+  }
+}
+
+// What walk reads of the weight table: all of a row, and no other rows (testbench/mutation/rules/feline_rules_walk.sv).
+TEST(plan, a_row_of_weights_has_its_probe_count) {
+  constexpr std::int64_t kGaussianRows = Formats<kDefaultConfig>::kGaussianRows;
+  for (std::int64_t probes = 1; probes <= kDefaultConfig.max_probes; ++probes) {
+    EXPECT_EQ((choose_weight_row<kDefaultConfig>({false, 64, 64}, Mode::kExt, probes)), kGaussianRows + probes - 1);
+    std::set<std::int64_t> rows;
+    for (std::int64_t major = 0; major <= 2048; ++major) {
+      for (const std::int64_t minor : {0, 8}) {
+        rows.insert(choose_weight_row<kDefaultConfig>({false, std::max(major, minor), minor}, Mode::kTable, probes));
+      }
+    }
+    const std::int64_t first = *rows.begin();
+    EXPECT_EQ(rows.size(), probes == 1 ? 1U : 4U);
+    EXPECT_EQ(first, std::max<std::int64_t>(4 * probes - 7, 0));
+    EXPECT_EQ(*rows.rbegin(), 4 * probes - 4);
   }
 }
 

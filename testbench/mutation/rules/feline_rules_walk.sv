@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What reaches walk: a plan stays until it is taken; 1 to MaxProbes probes; a row of weights that is there; nothing
-// unsupported in the full configuration (leaves plan.choose_probes and plan.weight_row; proof plan_stream).
+// What reaches walk: a plan stays until it is taken; 1 to MaxProbes probes; a row of weights of so many probes (test
+// plan.a_row_of_weights_has_its_probe_count); nothing unsupported in the full configuration (leaves plan.choose_probes
+// and plan.weight_row; proof plan_stream).
 `default_nettype none
 
 module feline_rules_walk (
@@ -13,6 +14,13 @@ module feline_rules_walk (
 );
   logic              held_q;
   feline_pkg::plan_t plan_q;
+  logic              is_gaussian;
+  logic              is_equal;
+
+  // Four rows a count, but one of one probe; then one a count.
+  assign is_gaussian = 32'(plan_i.weight_row) + 32'd4 <= {32'(plan_i.probes), 2'b00} &&
+                       32'(plan_i.weight_row) + 32'd7 >= {32'(plan_i.probes), 2'b00};
+  assign is_equal    = 32'(plan_i.weight_row) + 32'd1 == 32'(plan_i.probes) + feline_pkg::GaussianRows;
 
   always_ff @(posedge clk_i) begin
     held_q <= !rst_i && plan_valid_i && !plan_ready_o;
@@ -21,7 +29,7 @@ module feline_rules_walk (
 
   assign legal_o = (!held_q || (plan_valid_i && plan_i == plan_q)) &&
                    (!plan_valid_i || (plan_i.probes != '0 && 32'(plan_i.probes) <= feline_pkg::MaxProbes &&
-                                      32'(plan_i.weight_row) < feline_pkg::GaussianRows + feline_pkg::MaxProbes &&
+                                      (is_gaussian || is_equal) &&
                                       !plan_i.status[feline_pkg::StatusUnsupported]));
 endmodule
 

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "testbench/error.h"
 #include "tests/testbench/temp_dir.h"
 
 namespace feline::mutation {
@@ -61,6 +62,16 @@ TEST(workshop_long, one_run_at_a_time) {
 TEST(workshop, a_program_that_fails_is_told) {
   EXPECT_EQ(run_program({"cat"}, "text"), "text");
   EXPECT_THROW(run_program({"false"}), std::runtime_error);
+}
+
+TEST(workshop, what_is_wrong_without_a_mutant_is_no_failure_of_the_program) {
+  EXPECT_EQ(run_trials({"cat"}, "text"), "text");
+  EXPECT_THROW(run_trials({"sh", "-c", "exit 1"}), WitnessMismatch);
+  EXPECT_THROW(
+      try {
+        run_trials({"sh", "-c", "exit 2"});
+      } catch (const WitnessMismatch&) { FAIL() << "taken for a mismatch"; },
+      std::runtime_error);
 }
 
 }  // namespace
