@@ -62,18 +62,20 @@ struct Question {
 // A word is anything, which differs, so that of bits of ROMs it is asked only whether anybody sees it.
 std::vector<Question> open_questions(Fate::Logic wanted, std::vector<Fate>& fates) {
   std::vector<Question> questions;
-  std::map<std::uint64_t, std::size_t> words;
+  std::map<std::uint64_t, std::size_t> words;  // their questions
   for (Fate& fate : fates) {
     const bool is_of_rom = fate.mutant.kind == Kind::kRomBit;
     if (!fate.is_open() || (is_of_rom && wanted == Fate::Logic::kSame)) continue;
     Mutant asked = fate.mutant;
-    if (is_of_rom) asked.bit = 0;
-    const auto [place, is_new] = words.emplace(code(asked), questions.size());
-    if (!is_of_rom || is_new) {
-      questions.push_back({asked, {&fate}});
-    } else {
-      questions[place->second].fates.push_back(&fate);
+    if (is_of_rom) {
+      asked.bit = 0;
+      const auto [word, is_new] = words.emplace(code(asked), questions.size());
+      if (!is_new) {
+        questions[word->second].fates.push_back(&fate);
+        continue;
+      }
     }
+    questions.push_back({asked, {&fate}});
   }
   return questions;
 }
