@@ -95,7 +95,7 @@ std::vector<FileFates> try_model(const Workshop& workshop) {
   Progress progress("mutants of the model", sites.size());
   progress.show();
   bool built = false;
-  constexpr std::size_t kTogether = 400;
+  constexpr std::size_t kTogether = 200;  // what is lost when it is stopped
   for (std::size_t first = 0; first < sites.size(); first += kTogether) {
     const std::size_t end = std::min(first + kTogether, sites.size());
     const std::string key = workshop.cache.key({"model", workshop.trials, text, fmt::format("{} {}", first, end)});

@@ -155,7 +155,7 @@ int run_mutate(const MutateOptions& options) {
     }
   }
   const std::vector<std::string> tiers =
-      options.model ? std::vector<std::string>{"smoke", "unit", "leaves", "tests"}
+      options.model ? std::vector<std::string>{"smoke", "unit", "tests", "leaves"}
                     : std::vector<std::string>{"smoke", mutation::kExhaustive, "close", "pace", "suite", "long"};
   const bool all = options.roms || options.model;
   const std::string json = to_json(results, all ? std::nullopt : std::optional(options.seed)).dump(1) + "\n";
@@ -183,7 +183,7 @@ void add_mutate(CLI::App& program, int& exit_code) {
       "of the stage's leaves (feline prove) and compared with the stage by SAT (Debian packages yosys and cadical);\n"
       "what is neither killed nor proved the same must be in testbench/mutation/survivors.json with a reason, or the\n"
       "exit code is 1, as for a reason of one that is killed, proved, or called equivalent against what SAT finds.\n"
-      "Goes on where it was stopped. Those of the model are tried on the leaves and the model's tests, and what is\n"
+      "Goes on where it was stopped. Those of the model are tried on the model's tests and the leaves, and what is\n"
       "left must be in model_survivors.json beside it.\n"
       "Example: feline mutate --stage walk,plan --count 2000 --output mutants");
   CLI::Option* const stage = command
