@@ -196,7 +196,7 @@ class SourceInstrumenter {
       insert(tokens_[i].first, fmt::format("|| {}{{}} ", site(i, "Condition")));
     } else if (word == "return" || keeps_value(i)) {
       // A number by itself is a site of its own.
-      const bool is_single_number = is_number(i + 1) && token(i + 2) == ";";
+      const bool is_single_number = is_number(i + 1) && (token(i + 2) == ";" || token(i + 2) == ",");
       if (token(i + 1) != "{" && token(i + 1) != ";" && token(i + 1) != "[" && !is_single_number) {
         insert_after(i, fmt::format(" {}{{}} ^=", site(i, "Value")));
       }

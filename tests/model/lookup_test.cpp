@@ -10,6 +10,16 @@
 namespace feline {
 namespace {
 
+TEST(lookup, what_is_not_given_is_zero) {
+  const auto request = make_request<kDefaultConfig>(Lookup{}, 0);
+  EXPECT_EQ(request.s.raw(), 0);
+  EXPECT_EQ(request.t.raw(), 0);
+  EXPECT_EQ(request.dsdx.raw(), 0);
+  EXPECT_EQ(request.dtdx.raw(), 0);
+  EXPECT_EQ(request.dsdy.raw(), 0);
+  EXPECT_EQ(request.dtdy.raw(), 0);
+}
+
 TEST(lookup, a_request_has_its_bits_and_as_many_of_the_tag_as_fit) {
   const SeedTrace trace(__FILE__, __LINE__);
   Random random = random_for("model_lookup.request");

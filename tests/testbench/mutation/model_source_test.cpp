@@ -24,6 +24,8 @@ TEST(mutation_model_source, operators_of_two_operands) {
 
 TEST(mutation_model_source, numbers_values_and_conditions) {
   EXPECT_EQ(instrumented("int x = 0x7f;"), "int x = literal<0>(0x7f);");
+  EXPECT_EQ(instrumented("float x = 0, y = 1, z = a;"),
+            "float x = literal<0>(0), y = literal<1>(1), z = Value<2>{} ^= a;");
   EXPECT_EQ(instrumented("int x = 2 + a;"), "int x = Value<0>{} ^= literal<1>(2) + Plus<2>{} + a;");
   EXPECT_EQ(instrumented("if (a || b) return -a;"),
             "if (a || OrElse<1>{} || b || Condition<0>{}) return Value<2>{} ^= Negative<3>{}->*a;");
