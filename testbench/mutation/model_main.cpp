@@ -38,7 +38,7 @@ constexpr std::string_view kEarlyTests = "pruned.*:fetch.*:accumulate.*";
 constexpr std::string_view kLongTests = "*_long.*:invariants.*";
 constexpr rlim_t kMostMemory = rlim_t{4} << 30;  // bytes
 // Seconds of a processor: a mutant may take so many times what the model takes without one, and some more.
-constexpr rlim_t kTimes = 8;
+constexpr rlim_t kTimes = 20;
 constexpr rlim_t kMore = 10;
 constexpr rlim_t kNoLimit = 3600;
 // Exit codes of a trial.
